@@ -1,0 +1,144 @@
+#include "core/document.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <sstream>
+
+namespace tektite {
+namespace {
+
+std::string joined(const std::string& path, std::string_view key) {
+  return path.empty() ? std::string(key) : fmt::format("{}.{}", path, key);
+}
+
+std::string read_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw InputError({{path, 0}, {}, {}, "the scene file cannot be opened", {}});
+  std::ostringstream content;
+  content << file.rdbuf();
+  if (!file || content.fail()) throw InputError({{path, 0}, {}, {}, "the scene file cannot be read", "a TOML file"});
+  return std::move(content).str();
+}
+
+toml::table parse_toml(std::string_view text, const std::string& origin) {
+  try {
+    return toml::parse(text, origin);
+  } catch (const toml::parse_error& fault) {
+    throw InputError({{origin, static_cast<int>(fault.source().begin.line)},
+                      {},
+                      {},
+                      fmt::format("not TOML: {}", fault.description()),
+                      {}});
+  }
+}
+
+/// A table of another type or model than the one below it stands for something else.
+bool replaces(const toml::table& base, const toml::table& over) {
+  for (const auto* key : {"type", "model"}) {
+    const auto below = base[key].value<std::string>();
+    const auto above = over[key].value<std::string>();
+    if (below && above && *below != *above) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Document Document::load(const std::string& path, const std::string& variant, const std::vector<std::string>& settings) {
+  auto document = parse(read_file(path), path);
+  std::optional<toml::table> chosen;
+  if (const auto* node = document.table_->get("variant")) {
+    const auto* all = node->as_table();
+    if (!all) throw document.root().fault("variant", "must hold tables", "[variant.NAME]");
+    for (const auto& [name, value] : *all) {
+      if (!value.is_table()) throw document.root().fault("variant." + std::string(name.str()), "must be a table");
+      document.variants_.emplace_back(name.str());
+      if (name.str() == variant) chosen = *value.as_table();
+    }
+    document.table_->erase("variant");
+  }
+  if (!variant.empty() && !chosen)
+    throw InputError({{path, 0},
+                      "variant",
+                      '"' + variant + '"',
+                      "no such variant",
+                      document.variants_.empty() ? "this scene has none" : join(document.variants_)});
+  if (chosen) document.lay_over(*document.table_, *chosen, "", "variant." + variant);
+  for (const auto& setting : settings) document.set(setting);
+  return document;
+}
+
+Document Document::parse(std::string_view text, const std::string& origin) {
+  Document document;
+  document.origin_ = origin;
+  document.table_ = std::make_shared<toml::table>(parse_toml(text, origin));
+  document.remember(*document.table_, "", origin);
+  return document;
+}
+
+Section Document::root() { return Section(this, table_.get(), ""); }
+
+std::string Document::text() const {
+  std::ostringstream out;
+  out << toml::toml_formatter(*table_,
+                              toml::toml_formatter::default_flags & ~toml::format_flags::allow_literal_strings);
+  return std::move(out).str();
+}
+
+void Document::remember(const toml::node& node, const std::string& path, const std::string& file) {
+  places_[path] = {file, static_cast<int>(node.source().begin.line)};
+  if (const auto* table = node.as_table()) {
+    for (const auto& [key, value] : *table) {
+      const auto below = joined(path, key.str());
+      remember(value, below, file);
+      places_[below].line = static_cast<int>(key.source().begin.line);
+    }
+  } else if (const auto* array = node.as_array()) {
+    for (std::size_t k = 0; k < array->size(); ++k) remember((*array)[k], fmt::format("{}[{}]", path, k), file);
+  }
+}
+
+void Document::lay_over(toml::table& base, const toml::table& over, const std::string& path,
+                        const std::string& over_path) {
+  for (const auto& [key, value] : over) {
+    const auto below = joined(path, key.str());
+    const auto above = joined(over_path, key.str());
+    auto* there = base.get_as<toml::table>(key.str());
+    if (there && value.is_table() && !replaces(*there, *value.as_table())) {
+      lay_over(*there, *value.as_table(), below, above);
+      continue;
+    }
+    base.insert_or_assign(key.str(), value);
+    std::map<std::string, Place> moved;
+    for (const auto& [name, place] : places_)
+      if (name.starts_with(above)) moved[below + name.substr(above.size())] = place;
+    for (auto& [name, place] : moved) places_[name] = place;
+  }
+}
+
+void Document::set(const std::string& setting) {
+  const auto equals = setting.find('=');
+  const InputFault fault{{"--set " + setting, 0}, {}, {}, "not a setting", "KEY=VALUE, such as time.cfl=0.2"};
+  if (equals == std::string::npos || equals == 0) throw InputError(fault);
+  const auto key = setting.substr(0, equals);
+  const auto value = setting.substr(equals + 1);
+  toml::table over;
+  try {
+    over = toml::parse(key + " = " + value);
+  } catch (const toml::parse_error&) {
+    try {
+      over = toml::parse(key + " = \"" + value + '"');
+    } catch (const toml::parse_error&) {
+      throw InputError(fault);
+    }
+  }
+  Document part;
+  part.remember(over, "set", fault.place.file);
+  for (auto& [name, place] : part.places_) places_[name] = {place.file, 0};
+  lay_over(*table_, over, "", "set");
+}
+
+std::string join(std::span<const std::string> words) { return fmt::format("{}", fmt::join(words, ", ")); }
+
+}  // namespace tektite

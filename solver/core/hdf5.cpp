@@ -1,0 +1,223 @@
+#include "core/hdf5.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "core/error.hpp"
+
+namespace tektite::hdf5 {
+namespace {
+
+/// HDF5 prints its own error stack by default; faults are told by us.
+void quiet() {
+  static const bool done = [] {
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+    return true;
+  }();
+  static_cast<void>(done);
+}
+
+Handle create_file(const std::string& path) {
+  quiet();
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_libver_bounds(access.id(), H5F_LIBVER_V110, H5F_LIBVER_V110);  // metadata with checksums
+  return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose};
+}
+
+Handle open_file(const std::string& path) {
+  quiet();
+  return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose};
+}
+
+Handle text_type(std::size_t length) {
+  Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type.id(), std::max<std::size_t>(length, 1));
+  H5Tset_cset(type.id(), H5T_CSET_UTF8);
+  return type;
+}
+
+InputError broken(const std::string& path, const std::string& part, const std::string& reason) {
+  return InputError({{path, 0}, part, {}, reason, "a particle file of tektite, whole"});
+}
+
+}  // namespace
+
+Writer::Writer(const std::string& path) : path_(path), file_(create_file(path)) {
+  if (!file_.valid())
+    throw RunError(path + ": cannot be created (is the folder there, writable, and the disk not full?)");
+}
+
+void Writer::group(const std::string& name) {
+  const Handle group(H5Gcreate2(file_.id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+  if (!group.valid()) throw RunError(fmt::format("{}: {} cannot be written", path_, name));
+}
+
+void Writer::dataset(const std::string& name, hid_t type, const void* values, std::size_t rows, std::size_t columns) {
+  const std::array<hsize_t, 2> shape{rows, columns};
+  const int rank = columns == 1 ? 1 : 2;
+  const Handle space(H5Screate_simple(rank, shape.data(), nullptr), H5Sclose);
+  const Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  if (rows > 0) {
+    constexpr hsize_t rows_per_chunk = 65536;
+    const std::array<hsize_t, 2> chunk{std::min<hsize_t>(rows, rows_per_chunk), columns};
+    H5Pset_chunk(properties.id(), rank, chunk.data());
+    H5Pset_fletcher32(properties.id());
+  }
+  const Handle data(H5Dcreate2(file_.id(), name.c_str(), type, space.id(), H5P_DEFAULT, properties.id(), H5P_DEFAULT),
+                    H5Dclose);
+  if (!data.valid() || (rows > 0 && H5Dwrite(data.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0))
+    throw RunError(fmt::format("{}: {} cannot be written (is the disk full?)", path_, name));
+}
+
+void Writer::reals(const std::string& name, std::span<const double> values, std::size_t columns) {
+  dataset(name, H5T_NATIVE_DOUBLE, values.data(), values.size() / columns, columns);
+}
+
+void Writer::integers(const std::string& name, std::span<const std::int64_t> values, std::size_t columns) {
+  dataset(name, H5T_NATIVE_INT64, values.data(), values.size() / columns, columns);
+}
+
+void Writer::text(const std::string& name, const std::string& value) {
+  // Stored as bytes in a chunked dataset, so that it carries a checksum too.
+  dataset(name, H5T_NATIVE_UCHAR, value.data(), value.size(), 1);
+}
+
+void Writer::attribute(const std::string& object, const std::string& name, const std::string& value) {
+  const auto type = text_type(value.size());
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  const Handle attribute(H5Acreate_by_name(file_.id(), object.c_str(), name.c_str(), type.id(), space.id(), H5P_DEFAULT,
+                                           H5P_DEFAULT, H5P_DEFAULT),
+                         H5Aclose);
+  if (!attribute.valid() || H5Awrite(attribute.id(), type.id(), value.empty() ? "\0" : value.data()) < 0)
+    throw RunError(fmt::format("{}: {}/@{} cannot be written", path_, object, name));
+}
+
+void Writer::attribute(const std::string& object, const std::string& name, double value) {
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  const Handle attribute(H5Acreate_by_name(file_.id(), object.c_str(), name.c_str(), H5T_NATIVE_DOUBLE, space.id(),
+                                           H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                         H5Aclose);
+  if (!attribute.valid() || H5Awrite(attribute.id(), H5T_NATIVE_DOUBLE, &value) < 0)
+    throw RunError(fmt::format("{}: {}/@{} cannot be written", path_, object, name));
+}
+
+void Writer::attribute(const std::string& object, const std::string& name, std::int64_t value) {
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  const Handle attribute(H5Acreate_by_name(file_.id(), object.c_str(), name.c_str(), H5T_NATIVE_INT64, space.id(),
+                                           H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                         H5Aclose);
+  if (!attribute.valid() || H5Awrite(attribute.id(), H5T_NATIVE_INT64, &value) < 0)
+    throw RunError(fmt::format("{}: {}/@{} cannot be written", path_, object, name));
+}
+
+void Writer::close() {
+  if (H5Fflush(file_.id(), H5F_SCOPE_GLOBAL) < 0)
+    throw RunError(path_ + ": cannot be brought to the disk (is it full?)");
+  const Handle closing(std::move(file_));
+}
+
+Reader::Reader(const std::string& path) : path_(path), file_(open_file(path)) {
+  if (!file_.valid()) throw broken(path, {}, "cannot be opened as HDF5");
+}
+
+bool Reader::has(const std::string& name) const { return H5Lexists(file_.id(), name.c_str(), H5P_DEFAULT) > 0; }
+
+std::vector<std::string> Reader::members(const std::string& group) const {
+  const Handle handle(H5Gopen2(file_.id(), group.c_str(), H5P_DEFAULT), H5Gclose);
+  if (!handle.valid()) throw broken(path_, group, "is missing or broken");
+  std::vector<std::string> names;
+  const auto visit = [](hid_t, const char* name, const H5L_info_t*, void* list) -> herr_t {
+    static_cast<std::vector<std::string>*>(list)->emplace_back(name);
+    return 0;
+  };
+  if (H5Literate(handle.id(), H5_INDEX_NAME, H5_ITER_INC, nullptr, visit, &names) < 0)
+    throw broken(path_, group, "cannot be listed");
+  return names;
+}
+
+void Reader::read(const std::string& name, hid_t type, void* values, std::size_t rows, std::size_t columns) const {
+  const Handle data(H5Dopen2(file_.id(), name.c_str(), H5P_DEFAULT), H5Dclose);
+  if (!data.valid()) throw broken(path_, name, "is missing or broken");
+  const Handle space(H5Dget_space(data.id()), H5Sclose);
+  const Handle stored(H5Dget_type(data.id()), H5Tclose);
+  std::array<hsize_t, 2> shape{0, 1};
+  const int rank = H5Sget_simple_extent_ndims(space.id());
+  if (rank < 1 || rank > 2 || H5Sget_simple_extent_dims(space.id(), shape.data(), nullptr) < 0)
+    throw broken(path_, name, "has no shape that can be read");
+  if (rank == 1) shape[1] = 1;
+  if (H5Tget_class(stored.id()) != H5Tget_class(type)) throw broken(path_, name, "has the wrong type of numbers");
+  if (shape[0] != rows || shape[1] != columns)
+    throw broken(path_, name,
+                 fmt::format("has {} x {} numbers where {} x {} belong", shape[0], shape[1], rows, columns));
+  if (rows > 0 && H5Dread(data.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
+    throw broken(path_, name, "cannot be read: it is truncated or its checksum is wrong");
+}
+
+std::vector<double> Reader::reals(const std::string& name, std::size_t rows, std::size_t columns) const {
+  std::vector<double> values(rows * columns);
+  read(name, H5T_NATIVE_DOUBLE, values.data(), rows, columns);
+  return values;
+}
+
+std::vector<std::int64_t> Reader::integers(const std::string& name, std::size_t rows, std::size_t columns) const {
+  std::vector<std::int64_t> values(rows * columns);
+  read(name, H5T_NATIVE_INT64, values.data(), rows, columns);
+  return values;
+}
+
+std::string Reader::text(const std::string& name) const {
+  const Handle data(H5Dopen2(file_.id(), name.c_str(), H5P_DEFAULT), H5Dclose);
+  if (!data.valid()) throw broken(path_, name, "is missing or broken");
+  const Handle space(H5Dget_space(data.id()), H5Sclose);
+  const auto length = H5Sget_simple_extent_npoints(space.id());
+  constexpr hssize_t longest = 1 << 24;
+  if (length < 0 || length > longest) throw broken(path_, name, "is no text of a sensible length");
+  std::string value(static_cast<std::size_t>(length), '\0');
+  if (length > 0) read(name, H5T_NATIVE_UCHAR, value.data(), value.size(), 1);
+  return value;
+}
+
+std::string Reader::text_attribute(const std::string& object, const std::string& name) const {
+  const Handle attribute(H5Aopen_by_name(file_.id(), object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  if (!attribute.valid()) throw broken(path_, object + "/@" + name, "is missing");
+  const Handle stored(H5Aget_type(attribute.id()), H5Tclose);
+  if (H5Tget_class(stored.id()) != H5T_STRING || H5Tis_variable_str(stored.id()) > 0)
+    throw broken(path_, object + "/@" + name, "is no text");
+  std::string value(H5Tget_size(stored.id()), '\0');
+  const auto type = text_type(value.size());
+  if (H5Aread(attribute.id(), type.id(), value.data()) < 0) throw broken(path_, object + "/@" + name, "cannot be read");
+  value.resize(std::min(value.find('\0'), value.size()));
+  return value;
+}
+
+double Reader::real_attribute(const std::string& object, const std::string& name) const {
+  const Handle attribute(H5Aopen_by_name(file_.id(), object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  double value = 0.0;
+  if (!attribute.valid() || H5Aread(attribute.id(), H5T_NATIVE_DOUBLE, &value) < 0)
+    throw broken(path_, object + "/@" + name, "is missing or no number");
+  return value;
+}
+
+std::int64_t Reader::integer_attribute(const std::string& object, const std::string& name) const {
+  const Handle attribute(H5Aopen_by_name(file_.id(), object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  std::int64_t value = 0;
+  if (!attribute.valid() || H5Aread(attribute.id(), H5T_NATIVE_INT64, &value) < 0)
+    throw broken(path_, object + "/@" + name, "is missing or no whole number");
+  return value;
+}
+
+std::vector<std::string> Reader::attributes(const std::string& object) const {
+  const Handle handle(H5Oopen(file_.id(), object.c_str(), H5P_DEFAULT), H5Oclose);
+  if (!handle.valid()) throw broken(path_, object, "is missing or broken");
+  std::vector<std::string> names;
+  const auto visit = [](hid_t, const char* name, const H5A_info_t*, void* list) -> herr_t {
+    static_cast<std::vector<std::string>*>(list)->emplace_back(name);
+    return 0;
+  };
+  H5Aiterate2(handle.id(), H5_INDEX_NAME, H5_ITER_INC, nullptr, visit, &names);
+  return names;
+}
+
+}  // namespace tektite::hdf5

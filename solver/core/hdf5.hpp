@@ -1,0 +1,74 @@
+#pragma once
+// The little of HDF5 that tektite needs, with handles that close themselves and faults that name the file and the part.
+// Every dataset carries a checksum, so a flipped bit is told and not computed with.
+
+#include <hdf5.h>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tektite::hdf5 {
+
+class Handle {
+ public:
+  using Close = herr_t (*)(hid_t);
+  Handle(hid_t id, Close close) : id_(id), close_(close) {}
+  Handle(Handle&& other) noexcept : id_(other.id_), close_(other.close_) { other.id_ = H5I_INVALID_HID; }
+  Handle& operator=(Handle&&) = delete;
+  ~Handle() {
+    if (id_ >= 0) close_(id_);
+  }
+  hid_t id() const { return id_; }
+  bool valid() const { return id_ >= 0; }
+
+ private:
+  hid_t id_;
+  Close close_;
+};
+
+class Writer {
+ public:
+  /// Creates the file; throws RunError where that is impossible, here and in every call below.
+  explicit Writer(const std::string& path);
+  void group(const std::string& name);
+  /// A dataset of rows x columns; `columns` 1 gives a plain list.
+  void reals(const std::string& name, std::span<const double> values, std::size_t columns);
+  void integers(const std::string& name, std::span<const std::int64_t> values, std::size_t columns);
+  void text(const std::string& name, const std::string& value);
+  void attribute(const std::string& object, const std::string& name, const std::string& value);
+  void attribute(const std::string& object, const std::string& name, double value);
+  void attribute(const std::string& object, const std::string& name, std::int64_t value);
+  /// Brings everything to the disk and closes.
+  void close();
+
+ private:
+  void dataset(const std::string& name, hid_t type, const void* values, std::size_t rows, std::size_t columns);
+  std::string path_;
+  Handle file_;
+};
+
+class Reader {
+ public:
+  /// Opens the file; throws InputError where it is missing, foreign or broken, here and in every call below.
+  explicit Reader(const std::string& path);
+  bool has(const std::string& name) const;
+  std::vector<std::string> members(const std::string& group) const;
+  std::vector<double> reals(const std::string& name, std::size_t rows, std::size_t columns) const;
+  std::vector<std::int64_t> integers(const std::string& name, std::size_t rows, std::size_t columns) const;
+  std::string text(const std::string& name) const;
+  std::string text_attribute(const std::string& object, const std::string& name) const;
+  double real_attribute(const std::string& object, const std::string& name) const;
+  std::int64_t integer_attribute(const std::string& object, const std::string& name) const;
+  /// Names of the numbers that an object carries as attributes.
+  std::vector<std::string> attributes(const std::string& object) const;
+  const std::string& path() const { return path_; }
+
+ private:
+  void read(const std::string& name, hid_t type, void* values, std::size_t rows, std::size_t columns) const;
+  std::string path_;
+  Handle file_;
+};
+
+}  // namespace tektite::hdf5

@@ -1,0 +1,85 @@
+#include "core/particles.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace tektite {
+namespace {
+
+std::size_t slot(Field field) { return static_cast<std::size_t>(field); }
+
+void expect(bool allocated, Field field) {
+  if (!allocated) throw std::logic_error(fmt::format("field {} is not allocated", info(field).name));
+}
+
+template <class T>
+void permute_column(std::vector<T>& column, std::span<const std::uint32_t> order, std::size_t width) {
+  std::vector<T> sorted(column.size());
+#pragma omp parallel for schedule(static)
+  for (std::size_t k = 0; k < order.size(); ++k)
+    std::copy_n(column.data() + order[k] * width, width, sorted.data() + k * width);
+  column = std::move(sorted);
+}
+
+}  // namespace
+
+Particles::Particles(Space space, std::vector<Body> bodies) : space_(space), bodies_(std::move(bodies)) {
+  for (const auto& body : bodies_) count_ = std::max(count_, body.range.end);
+}
+
+void Particles::allocate(Field field, std::size_t spare) {
+  const std::size_t size = (count_ + spare) * static_cast<std::size_t>(components(field));
+  if (info(field).rank == Rank::integer)
+    integers_[slot(field)].resize(size);
+  else
+    reals_[slot(field)].resize(size);
+}
+
+void Particles::release(Field field) {
+  reals_[slot(field)] = {};
+  integers_[slot(field)] = {};
+}
+
+bool Particles::has(Field field) const { return !reals_[slot(field)].empty() || !integers_[slot(field)].empty(); }
+
+std::span<double> Particles::reals(Field field) {
+  expect(!reals_[slot(field)].empty(), field);
+  return reals_[slot(field)];
+}
+
+std::span<const double> Particles::reals(Field field) const {
+  expect(!reals_[slot(field)].empty(), field);
+  return reals_[slot(field)];
+}
+
+std::span<std::int64_t> Particles::integers(Field field) {
+  expect(!integers_[slot(field)].empty(), field);
+  return integers_[slot(field)];
+}
+
+std::span<const std::int64_t> Particles::integers(Field field) const {
+  expect(!integers_[slot(field)].empty(), field);
+  return integers_[slot(field)];
+}
+
+void Particles::permute(std::span<const std::uint32_t> order) {
+  for (const auto& row : field_table) {
+    if (!has(row.field) || row.keep == Keep::scratch) continue;
+    const auto width = static_cast<std::size_t>(components(row.field));
+    if (row.rank == Rank::integer)
+      permute_column(integers_[slot(row.field)], order, width);
+    else
+      permute_column(reals_[slot(row.field)], order, width);
+  }
+}
+
+std::size_t Particles::memory() const {
+  std::size_t bytes = 0;
+  for (const auto& column : reals_) bytes += column.size() * sizeof(double);
+  for (const auto& column : integers_) bytes += column.size() * sizeof(std::int64_t);
+  return bytes;
+}
+
+}  // namespace tektite

@@ -1,0 +1,50 @@
+#include "core/program.hpp"
+
+#include <fmt/format.h>
+
+#include <iostream>
+#include <new>
+
+#include "core/error.hpp"
+#include "core/version.hpp"
+
+namespace tektite {
+
+int run_program(const std::string& name, const std::function<int()>& body) {
+  try {
+    return body();
+  } catch (const InputError& fault) {
+    std::cerr << name << ": error: " << fault.what() << '\n';
+    return exit_wrong_input;
+  } catch (const std::bad_alloc&) {
+    std::cerr << name << ": error: this needs more memory than there is; `tektite check` tells how much\n";
+  } catch (const std::exception& fault) {
+    std::cerr << name << ": error: " << fault.what() << '\n';
+  }
+  return exit_failed;
+}
+
+bool parse_command_line(CommandLine& line, int argc, const char* const* argv,
+                        boost::program_options::variables_map& values) {
+  namespace po = boost::program_options;
+  line.options.add_options()("help,h", "show this help")("version", "show the version");
+  po::options_description all;
+  all.add(line.options).add(line.hidden);
+  try {
+    po::store(po::command_line_parser(argc, argv).options(all).positional(line.positional).run(), values);
+    if (values.contains("help")) {
+      std::cout << "Usage: " << line.usage << "\n\n" << line.about << "\n\n" << line.options;
+      return true;
+    }
+    if (values.contains("version")) {
+      std::cout << "tektite " << version << '\n';
+      return true;
+    }
+    po::notify(values);
+  } catch (const po::error& fault) {
+    throw InputError(fmt::format("{}; see --help", fault.what()));
+  }
+  return false;
+}
+
+}  // namespace tektite

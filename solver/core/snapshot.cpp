@@ -1,0 +1,139 @@
+#include "core/snapshot.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "core/hdf5.hpp"
+#include "core/version.hpp"
+#include "core/write_beside.hpp"
+
+namespace tektite {
+namespace {
+
+constexpr const char* format_name = "tektite particles";
+constexpr std::int64_t most_particles = std::int64_t{1} << 40;
+
+InputError broken(const hdf5::Reader& file, const std::string& part, const std::string& reason) {
+  return InputError({{file.path(), 0}, part, {}, reason, "a particle file of tektite, whole"});
+}
+
+std::vector<Body> read_bodies(const hdf5::Reader& file) {
+  std::vector<Body> bodies;
+  std::int64_t expected_first = 0;
+  for (const auto& member : file.members("/bodies")) {
+    const auto object = "/bodies/" + member;
+    Body body;
+    body.name = file.text_attribute(object, "name");
+    body.material = file.text_attribute(object, "material");
+    body.spacing = file.real_attribute(object, "spacing");
+    const auto first = file.integer_attribute(object, "first");
+    const auto count = file.integer_attribute(object, "count");
+    if (first != expected_first || count < 1 || count > most_particles)
+      throw broken(file, object, "its range of particles is wrong");
+    if (!(body.spacing > 0.0) || !std::isfinite(body.spacing)) throw broken(file, object, "its spacing is wrong");
+    expected_first = first + count;
+    body.range = {static_cast<std::size_t>(first), static_cast<std::size_t>(first + count)};
+    bodies.push_back(body);
+  }
+  if (bodies.empty()) throw broken(file, "/bodies", "holds no body");
+  return bodies;
+}
+
+Space read_space(const hdf5::Reader& file) {
+  const auto name = file.text_attribute("/", "space");
+  for (const auto& entry : space_names)
+    if (entry.name == name) return entry.space;
+  throw broken(file, "/@space", fmt::format("unknown space \"{}\"", name));
+}
+
+void check_numbers(const hdf5::Reader& file, const FieldInfo& field, std::span<const double> values) {
+  for (const double value : values)
+    if (!std::isfinite(value))
+      throw broken(file, fmt::format("/particles/{}", field.name), "holds a number that is not finite");
+  if (field.field != Field::mass && field.field != Field::density && field.field != Field::smoothing_length) return;
+  for (const double value : values)
+    if (value <= 0.0)
+      throw broken(file, fmt::format("/particles/{}", field.name), "holds a number that is not positive");
+}
+
+}  // namespace
+
+void write_snapshot(const Snapshot& snapshot, const std::string& path) {
+  write_beside(path, [&](const std::string& beside) {
+    hdf5::Writer file(beside);
+    file.attribute("/", "format", std::string(format_name));
+    file.attribute("/", "format_version", std::int64_t{particle_format_version});
+    file.attribute("/", "tektite_version", std::string(version));
+    const auto& particles = snapshot.particles;
+    file.attribute("/", "space", std::string(name_of(particles.space())));
+    file.text("/scene", snapshot.scene);
+    file.group("/state");
+    for (const auto& [name, value] : snapshot.state) file.attribute("/state", name, value);
+    file.group("/bodies");
+    for (std::size_t k = 0; k < particles.bodies().size(); ++k) {
+      const auto& body = particles.bodies()[k];
+      const auto object = fmt::format("/bodies/{:04}", k);
+      file.group(object);
+      file.attribute(object, "name", body.name);
+      file.attribute(object, "material", body.material);
+      file.attribute(object, "spacing", body.spacing);
+      file.attribute(object, "first", static_cast<std::int64_t>(body.range.begin));
+      file.attribute(object, "count", static_cast<std::int64_t>(body.range.size()));
+    }
+    file.group("/particles");
+    for (const auto& row : field_table) {
+      if (row.keep == Keep::scratch || !particles.has(row.field)) continue;
+      const auto object = fmt::format("/particles/{}", row.name);
+      const auto columns = static_cast<std::size_t>(particles.components(row.field));
+      if (row.rank == Rank::integer)
+        file.integers(object, particles.integers(row.field).first(particles.count()), columns);
+      else
+        file.reals(object, particles.reals(row.field).first(particles.count() * columns), columns);
+      file.attribute(object, "unit", std::string(row.unit));
+      file.attribute(object, "symbol", std::string(row.symbol));
+    }
+    file.close();
+  });
+}
+
+Snapshot read_snapshot(const std::string& path) {
+  if (!std::filesystem::exists(path)) throw InputError({{path, 0}, {}, {}, "there is no such file", {}});
+  const hdf5::Reader file(path);
+  if (file.text_attribute("/", "format") != format_name) throw broken(file, "/@format", "this is no particle file");
+  const auto format = file.integer_attribute("/", "format_version");
+  if (format < 1 || format > particle_format_version)
+    throw broken(
+        file, "/@format_version",
+        fmt::format("format {} is not known to this program, which reads up to {}", format, particle_format_version));
+  Snapshot snapshot;
+  snapshot.scene = file.text("/scene");
+  for (const auto& name : file.attributes("/state")) snapshot.state[name] = file.real_attribute("/state", name);
+  if (!snapshot.state.contains("time") || !std::isfinite(snapshot.state["time"]))
+    throw broken(file, "/state/@time", "is missing or not finite");
+  auto& particles = snapshot.particles;
+  particles = Particles(read_space(file), read_bodies(file));
+  for (const auto& member : file.members("/particles")) {
+    const auto field = field_named(member);
+    const auto object = "/particles/" + member;
+    if (!field || info(*field).keep == Keep::scratch) throw broken(file, object, "no such field");
+    const auto columns = static_cast<std::size_t>(particles.components(*field));
+    if (info(*field).rank == Rank::integer) {
+      const auto values = file.integers(object, particles.count(), columns);
+      particles.allocate(*field);
+      std::copy(values.begin(), values.end(), particles.integers(*field).begin());
+    } else {
+      const auto values = file.reals(object, particles.count(), columns);
+      check_numbers(file, info(*field), values);
+      particles.allocate(*field);
+      std::copy(values.begin(), values.end(), particles.reals(*field).begin());
+    }
+  }
+  for (const auto field :
+       {Field::id, Field::position, Field::velocity, Field::mass, Field::density, Field::smoothing_length})
+    if (!particles.has(field)) throw broken(file, fmt::format("/particles/{}", info(field).name), "is missing");
+  return snapshot;
+}
+
+}  // namespace tektite
