@@ -1,0 +1,86 @@
+// tektite: the program that a person uses. It runs the stages; each is a program of its own.
+
+#include <fmt/format.h>
+
+#include <array>
+#include <functional>
+#include <string_view>
+
+#include "core/error.hpp"
+#include "core/program.hpp"
+#include "core/version.hpp"
+#include "front/commands.hpp"
+
+namespace tektite::front {
+namespace {
+
+struct Command {
+  std::string_view name;
+  std::string_view arguments;
+  std::string_view about;
+  std::function<int(const Words&)> run;
+};
+
+int help(const Words& arguments);
+
+const auto& commands() {
+  static const auto stage = [](Stage which) {
+    return [which](const Words& arguments) -> int { become_stage(which, arguments); };
+  };
+  static const std::array<Command, 7> table{{
+      {"run", "SCENE.toml", "all stages, then ours beside published", run},
+      {"check", "SCENE.toml", "validate, explain, estimate", check},
+      {"resume", "DIR", "go on from the newest snapshot", resume},
+      {"preprocess", "SCENE.toml -o FILE.h5", "fill the bodies with particles", stage(Stage::preprocess)},
+      {"solve", "DIR", "compute the impact", stage(Stage::solve)},
+      {"postprocess", "DIR", "measure and draw a run again", stage(Stage::postprocess)},
+      {"help", "[COMMAND]", "this, or the help of a command", help},
+  }};
+  return table;
+}
+
+const Command& command_named(const std::string& name) {
+  std::vector<std::string> known;
+  for (const auto& command : commands()) {
+    if (command.name == name) return command;
+    known.emplace_back(command.name);
+  }
+  throw InputError({{}, {}, {}, fmt::format("unknown command \"{}\"", name), join(known)});
+}
+
+int help(const Words& arguments) {
+  if (!arguments.empty()) return command_named(arguments.front()).run({"--help"});
+  fmt::print("tektite {}: high-velocity impact of solids with smoothed particles\n\nUsage: tektite COMMAND ...\n\n",
+             version);
+  for (const auto& command : commands())
+    fmt::print("  {:<12}{:<24}{}\n", command.name, command.arguments, command.about);
+  fmt::print(
+      "\n`tektite COMMAND --help` tells the options of each. Exit codes: 0 done, 1 the run failed, 2 the input is "
+      "wrong.\n");
+  return exit_done;
+}
+
+int start(const Words& words) {
+  if (words.empty()) throw InputError({{}, {}, {}, "no command is given", "see tektite help"});
+  const Words arguments(words.begin() + 1, words.end());
+  if (words.front() == "--help" || words.front() == "-h") return help({});
+  if (words.front() == "--version") {
+    fmt::print("tektite {}\n", version);
+    return exit_done;
+  }
+  return command_named(words.front()).run(arguments);
+}
+
+}  // namespace
+
+bool parse(CommandLine& line, const Words& arguments, boost::program_options::variables_map& values) {
+  std::vector<const char*> words{"tektite"};
+  for (const auto& argument : arguments) words.push_back(argument.c_str());
+  return parse_command_line(line, static_cast<int>(words.size()), words.data(), values);
+}
+
+}  // namespace tektite::front
+
+int main(int argc, char** argv) {
+  return tektite::run_program("tektite", [&] { return tektite::front::start({argv + 1, argv + argc}); });
+}

@@ -1,0 +1,32 @@
+// tektite resume: goes on from the newest snapshot of a run that was interrupted.
+
+#include <filesystem>
+
+#include "core/error.hpp"
+#include "front/commands.hpp"
+#include "front/stages_of_a_run.hpp"
+
+namespace tektite::front {
+
+int resume(const Words& arguments) {
+  namespace po = boost::program_options;
+  std::string folder;
+  int threads = 0;
+  CommandLine line;
+  line.usage = "tektite resume DIR [--threads N]";
+  line.about =
+      "Goes on from the newest snapshot of a run, bit for bit as if it had not stopped; then measures and draws.";
+  line.options.add_options()("threads", po::value(&threads)->value_name("N"),
+                             "threads to compute with; else all processors");
+  line.hidden.add_options()("DIR", po::value(&folder)->required());
+  line.positional.add("DIR", 1);
+  po::variables_map values;
+  if (parse(line, arguments, values)) return exit_done;
+  if (!std::filesystem::is_directory(folder))
+    throw InputError({{folder, 0}, {}, {}, "there is no such folder", "the folder of a run"});
+  Words options{"--resume"};
+  if (values.contains("threads")) options.insert(options.end(), {"--threads", std::to_string(threads)});
+  return solve_and_show(folder, options);
+}
+
+}  // namespace tektite::front

@@ -1,0 +1,136 @@
+#include "front/stage.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+#include "core/error.hpp"
+
+namespace tektite::front {
+namespace {
+
+// What a signal handler may touch.
+volatile std::sig_atomic_t child_running = 0;
+volatile std::sig_atomic_t signal_received = 0;
+
+void note_signal(int signal) {
+  signal_received = signal;
+  if (signal == SIGTERM && child_running > 0) ::kill(static_cast<pid_t>(child_running), signal);
+}
+
+/// While it lives, SIGINT and SIGTERM are noted and do not end this program.
+class Outliving {
+ public:
+  Outliving() {
+    struct sigaction action {};
+    action.sa_handler = note_signal;
+    ::sigaction(SIGINT, &action, &interrupt_before_);
+    ::sigaction(SIGTERM, &action, &terminate_before_);
+  }
+  ~Outliving() {
+    ::sigaction(SIGINT, &interrupt_before_, nullptr);
+    ::sigaction(SIGTERM, &terminate_before_, nullptr);
+  }
+  Outliving(const Outliving&) = delete;
+  Outliving& operator=(const Outliving&) = delete;
+
+ private:
+  struct sigaction interrupt_before_ {};
+  struct sigaction terminate_before_ {};
+};
+
+std::string path_of(Stage stage) {
+  const auto path = std::filesystem::read_symlink("/proc/self/exe").parent_path() / program_of(stage);
+  if (::access(path.c_str(), X_OK) != 0)
+    throw RunError(path.string() + ": this program is not there; tektite was built without this stage");
+  return path.string();
+}
+
+/// The argument vector of exec; points into `words`.
+std::vector<char*> argument_vector(Words& words) {
+  std::vector<char*> vector;
+  for (auto& word : words) vector.push_back(word.data());
+  vector.push_back(nullptr);
+  return vector;
+}
+
+Words with_program(const std::string& path, const Words& arguments) {
+  Words words{path};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return words;
+}
+
+/// Starts a child; a signal that comes while it starts waits until the child is known.
+pid_t start(const std::string& path, const Words& arguments, Show show) {
+  auto words = with_program(path, arguments);
+  const auto vector = argument_vector(words);
+  sigset_t both, before;
+  sigemptyset(&both);
+  sigaddset(&both, SIGINT);
+  sigaddset(&both, SIGTERM);
+  ::sigprocmask(SIG_BLOCK, &both, &before);
+  posix_spawnattr_t attributes;
+  ::posix_spawnattr_init(&attributes);
+  ::posix_spawnattr_setsigdefault(&attributes, &both);
+  ::posix_spawnattr_setsigmask(&attributes, &before);
+  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
+  posix_spawn_file_actions_t files;
+  ::posix_spawn_file_actions_init(&files);
+  if (show == Show::nothing) ::posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  pid_t child = 0;
+  const int fault = ::posix_spawn(&child, path.c_str(), &files, &attributes, vector.data(), environ);
+  ::posix_spawn_file_actions_destroy(&files);
+  ::posix_spawnattr_destroy(&attributes);
+  child_running = fault == 0 ? child : 0;
+  ::sigprocmask(SIG_SETMASK, &before, nullptr);
+  if (fault != 0) throw RunError(fmt::format("{}: cannot be started: {}", path, std::strerror(fault)));
+  return child;
+}
+
+}  // namespace
+
+std::string program_of(Stage stage) {
+  switch (stage) {
+    case Stage::preprocess:
+      return "tektite-preprocess";
+    case Stage::solve:
+      return "tektite-solve";
+    case Stage::postprocess:
+      return "tektite-postprocess";
+  }
+  return {};
+}
+
+int run_stage(Stage stage, const Words& arguments, Show show) {
+  const Outliving outliving;
+  std::fflush(stdout);
+  const pid_t child = start(path_of(stage), arguments, show);
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0)
+    if (errno != EINTR) throw RunError(fmt::format("{}: cannot be waited for", program_of(stage)));
+  child_running = 0;
+  if (WIFSIGNALED(status))
+    throw RunError(fmt::format("{} was ended by signal {} ({})", program_of(stage), WTERMSIG(status),
+                               ::strsignal(WTERMSIG(status))));
+  const int code = WEXITSTATUS(status);
+  if (code == 0 && signal_received != 0) throw RunError(fmt::format("interrupted in {}", program_of(stage)));
+  return code;
+}
+
+void become_stage(Stage stage, const Words& arguments) {
+  const auto path = path_of(stage);
+  auto words = with_program(path, arguments);
+  std::fflush(stdout);
+  ::execv(path.c_str(), argument_vector(words).data());
+  throw RunError(fmt::format("{}: cannot be started: {}", path, std::strerror(errno)));
+}
+
+}  // namespace tektite::front

@@ -1,0 +1,33 @@
+#include "front/stages_of_a_run.hpp"
+
+#include <filesystem>
+
+#include "core/program.hpp"
+
+namespace tektite::front {
+
+int check_scene(const SceneArguments& scene) {
+  auto words = scene.words();
+  words.push_back("--check");
+  for (const auto stage : {Stage::preprocess, Stage::postprocess})
+    if (const int code = run_stage(stage, words); code != exit_done) return code;
+  return exit_done;
+}
+
+int make_particles(const SceneArguments& scene, const std::string& path, Show show) {
+  auto words = scene.words();
+  words.insert(words.end(), {"-o", path});
+  return run_stage(Stage::preprocess, words, show);
+}
+
+int solve_and_show(const std::string& folder, const Words& solver_options) {
+  Words solving{folder};
+  solving.insert(solving.end(), solver_options.begin(), solver_options.end());
+  if (const int code = run_stage(Stage::solve, solving); code != exit_done) return code;
+  Words showing{folder};
+  const auto reference = std::filesystem::path(folder) / reference_name;
+  if (std::filesystem::exists(reference)) showing.insert(showing.end(), {"--reference", reference.string()});
+  return run_stage(Stage::postprocess, showing);
+}
+
+}  // namespace tektite::front

@@ -1,0 +1,24 @@
+#pragma once
+// The steps of which run, check and resume consist. Each gives the exit code of the stage that failed, which has told
+// its fault, or exit_done.
+
+#include <string>
+
+#include "front/scene_arguments.hpp"
+#include "front/stage.hpp"
+
+namespace tektite::front {
+
+/// The published values as a run keeps them, so that it can be shown again wherever it is moved.
+inline constexpr const char* reference_name = "reference.toml";
+
+/// Has every stage that reads the scene itself validate its part.
+int check_scene(const SceneArguments& scene);
+
+/// Writes the initial particles.
+int make_particles(const SceneArguments& scene, const std::string& path, Show show = Show::output);
+
+/// Solves the run in `folder`, measures and draws it, and sets it beside what was published.
+int solve_and_show(const std::string& folder, const Words& solver_options);
+
+}  // namespace tektite::front
