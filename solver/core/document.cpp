@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <fstream>
 #include <sstream>
 
@@ -14,11 +16,13 @@ std::string joined(const std::string& path, std::string_view key) {
 
 std::string read_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError({{path, 0}, {}, {}, "the scene file cannot be opened", {}});
-  std::ostringstream content;
-  content << file.rdbuf();
-  if (!file || content.fail()) throw InputError({{path, 0}, {}, {}, "the scene file cannot be read", "a TOML file"});
-  return std::move(content).str();
+  if (!file) throw InputError({{path, 0}, {}, {}, "the scene file cannot be opened", "a TOML file"});
+  std::string content;
+  std::array<char, 65536> part;
+  while (file.read(part.data(), part.size()) || file.gcount() > 0)
+    content.append(part.data(), static_cast<std::size_t>(file.gcount()));
+  if (file.bad()) throw InputError({{path, 0}, {}, {}, "the scene file cannot be read", "a TOML file"});
+  return content;
 }
 
 toml::table parse_toml(std::string_view text, const std::string& origin) {
@@ -31,6 +35,41 @@ toml::table parse_toml(std::string_view text, const std::string& origin) {
                       fmt::format("not TOML: {}", fault.description()),
                       {}});
   }
+}
+
+// Below an effective scene stand comments that tell where each key came from: one line for a file, and below it one
+// for each key of it. So a fault found by a later stage still names the line that a person wrote.
+constexpr std::string_view file_mark = "#@ file ";
+constexpr std::string_view line_mark = "#@ line ";
+
+std::string places_as_comments(const std::map<std::string, Place>& places) {
+  std::map<std::string, std::string> lines_by_file;
+  for (const auto& [key, place] : places)
+    if (key != "variant" && !key.starts_with("variant."))
+      lines_by_file[place.file] += fmt::format("{}{} {}\n", line_mark, place.line, key);
+  std::string comments;
+  for (const auto& [file, lines] : lines_by_file) {
+    auto name = file;
+    std::replace(name.begin(), name.end(), '\n', ' ');
+    comments += fmt::format("{}{}\n{}", file_mark, name, lines);
+  }
+  return comments;
+}
+
+std::map<std::string, Place> places_from_comments(std::string_view text) {
+  std::map<std::string, Place> places;
+  std::string file;
+  std::istringstream lines{std::string(text)};
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(file_mark)) file = line.substr(file_mark.size());
+    if (!line.starts_with(line_mark)) continue;
+    std::istringstream words(line.substr(line_mark.size()));
+    int number = 0;
+    std::string key;
+    if (words >> number && words.get() == ' ' && std::getline(words, key)) places[key] = {file, number};
+    if (words.eof() && key.empty()) places[""] = {file, number};
+  }
+  return places;
 }
 
 /// A table of another type or model than the one below it stands for something else.
@@ -74,6 +113,7 @@ Document Document::parse(std::string_view text, const std::string& origin) {
   document.origin_ = origin;
   document.table_ = std::make_shared<toml::table>(parse_toml(text, origin));
   document.remember(*document.table_, "", origin);
+  if (auto places = places_from_comments(text); !places.empty()) document.places_ = std::move(places);
   return document;
 }
 
@@ -83,7 +123,7 @@ std::string Document::text() const {
   std::ostringstream out;
   out << toml::toml_formatter(*table_,
                               toml::toml_formatter::default_flags & ~toml::format_flags::allow_literal_strings);
-  return std::move(out).str();
+  return std::move(out).str() + "\n" + places_as_comments(places_);
 }
 
 void Document::remember(const toml::node& node, const std::string& path, const std::string& file) {
@@ -95,7 +135,8 @@ void Document::remember(const toml::node& node, const std::string& path, const s
       places_[below].line = static_cast<int>(key.source().begin.line);
     }
   } else if (const auto* array = node.as_array()) {
-    for (std::size_t k = 0; k < array->size(); ++k) remember((*array)[k], fmt::format("{}[{}]", path, k), file);
+    for (std::size_t k = 0; k < array->size(); ++k)
+      if ((*array)[k].is_table()) remember((*array)[k], fmt::format("{}[{}]", path, k), file);
   }
 }
 
@@ -120,7 +161,7 @@ void Document::lay_over(toml::table& base, const toml::table& over, const std::s
 void Document::set(const std::string& setting) {
   const auto equals = setting.find('=');
   const InputFault fault{{"--set " + setting, 0}, {}, {}, "not a setting", "KEY=VALUE, such as time.cfl=0.2"};
-  if (equals == std::string::npos || equals == 0) throw InputError(fault);
+  if (equals == std::string::npos || equals == 0 || setting.find('\n') != std::string::npos) throw InputError(fault);
   const auto key = setting.substr(0, equals);
   const auto value = setting.substr(equals + 1);
   toml::table over;

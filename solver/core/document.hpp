@@ -51,14 +51,15 @@ class Document {
   /// otherwise keys are overridden one by one. Throws InputError.
   static Document load(const std::string& path, const std::string& variant, const std::vector<std::string>& settings);
 
-  /// Reads an effective scene from text, as it stands in a particle file; `origin` is what messages name.
+  /// Reads an effective scene from text, as it stands in a particle file; `origin` is what messages name for a key of
+  /// which the text does not tell where it came from.
   static Document parse(std::string_view text, const std::string& origin);
 
   Section root();
   std::vector<std::string> variants() const { return variants_; }
   const std::string& origin() const { return origin_; }
 
-  /// The document as TOML.
+  /// The document as TOML, with comments that tell the file and line of each key, which parse() reads.
   std::string text() const;
 
  private:

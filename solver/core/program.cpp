@@ -41,6 +41,10 @@ bool parse_command_line(CommandLine& line, int argc, const char* const* argv,
       return true;
     }
     po::notify(values);
+  } catch (const po::required_option& fault) {
+    const auto name = fault.get_option_name();
+    const bool positional = line.hidden.find_nothrow(name.substr(name.find_first_not_of('-')), false) != nullptr;
+    throw InputError(fmt::format("{} is missing; see --help", positional ? name.substr(2) : name));
   } catch (const po::error& fault) {
     throw InputError(fmt::format("{}; see --help", fault.what()));
   }

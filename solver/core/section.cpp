@@ -9,19 +9,36 @@
 namespace tektite {
 namespace {
 
-std::string shown(const toml::node& node) {
+/// As it would be written in a scene, on one line; floating-point numbers with no more digits than they need.
+std::string written(const toml::node& node) {
+  if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
+  if (const auto* text = node.as_string()) return fmt::format("\"{}\"", text->get());
+  std::vector<std::string> parts;
+  if (const auto* array = node.as_array()) {
+    for (const auto& element : *array) parts.push_back(written(element));
+    return fmt::format("[{}]", join(parts));
+  }
+  if (const auto* table = node.as_table()) {
+    for (const auto& [key, value] : *table) parts.push_back(fmt::format("{} = {}", key.str(), written(value)));
+    return fmt::format("{{ {} }}", join(parts));
+  }
   std::ostringstream out;
   node.visit([&](const auto& value) {
-    if constexpr (toml::is_table<decltype(value)>) {
-      out << toml::toml_formatter(value, toml::format_flags::quote_dates_and_times);
-    } else {
-      out << value;
-    }
+    if constexpr (toml::is_value<decltype(value)>) out << value;
   });
-  auto text = std::move(out).str();
+  return std::move(out).str();
+}
+
+/// Shortened, for a message.
+std::string shown(const toml::node& node) {
+  auto text = written(node);
   constexpr std::size_t longest = 80;
   std::replace(text.begin(), text.end(), '\n', ' ');
-  if (text.size() > longest) text = text.substr(0, longest) + "…";
+  if (text.size() > longest) {
+    auto end = longest;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // not within a character
+    text = text.substr(0, end) + "…";
+  }
   return text;
 }
 
