@@ -137,8 +137,8 @@ std::vector<std::string> Reader::members(const std::string& group) const {
   return names;
 }
 
-void Reader::read(const std::string& name, hid_t type, void* values, std::size_t rows, std::size_t columns) const {
-  const Handle data(H5Dopen2(file_.id(), name.c_str(), H5P_DEFAULT), H5Dclose);
+Handle Reader::dataset(const std::string& name, hid_t type, std::size_t rows, std::size_t columns) const {
+  Handle data(H5Dopen2(file_.id(), name.c_str(), H5P_DEFAULT), H5Dclose);
   if (!data.valid()) throw broken(path_, name, "is missing or broken");
   const Handle space(H5Dget_space(data.id()), H5Sclose);
   const Handle stored(H5Dget_type(data.id()), H5Tclose);
@@ -151,19 +151,25 @@ void Reader::read(const std::string& name, hid_t type, void* values, std::size_t
   if (shape[0] != rows || shape[1] != columns)
     throw broken(path_, name,
                  fmt::format("has {} x {} numbers where {} x {} belong", shape[0], shape[1], rows, columns));
+  return data;
+}
+
+void Reader::read(const Handle& data, const std::string& name, hid_t type, void* values, std::size_t rows) const {
   if (rows > 0 && H5Dread(data.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
     throw broken(path_, name, "cannot be read: it is truncated or its checksum is wrong");
 }
 
 std::vector<double> Reader::reals(const std::string& name, std::size_t rows, std::size_t columns) const {
+  const auto data = dataset(name, H5T_NATIVE_DOUBLE, rows, columns);
   std::vector<double> values(rows * columns);
-  read(name, H5T_NATIVE_DOUBLE, values.data(), rows, columns);
+  read(data, name, H5T_NATIVE_DOUBLE, values.data(), rows);
   return values;
 }
 
 std::vector<std::int64_t> Reader::integers(const std::string& name, std::size_t rows, std::size_t columns) const {
+  const auto data = dataset(name, H5T_NATIVE_INT64, rows, columns);
   std::vector<std::int64_t> values(rows * columns);
-  read(name, H5T_NATIVE_INT64, values.data(), rows, columns);
+  read(data, name, H5T_NATIVE_INT64, values.data(), rows);
   return values;
 }
 
@@ -175,7 +181,8 @@ std::string Reader::text(const std::string& name) const {
   constexpr hssize_t longest = 1 << 24;
   if (length < 0 || length > longest) throw broken(path_, name, "is no text of a sensible length");
   std::string value(static_cast<std::size_t>(length), '\0');
-  if (length > 0) read(name, H5T_NATIVE_UCHAR, value.data(), value.size(), 1);
+  if (length > 0)
+    read(dataset(name, H5T_NATIVE_UCHAR, value.size(), 1), name, H5T_NATIVE_UCHAR, value.data(), value.size());
   return value;
 }
 

@@ -66,7 +66,9 @@ class Reader {
   const std::string& path() const { return path_; }
 
  private:
-  void read(const std::string& name, hid_t type, void* values, std::size_t rows, std::size_t columns) const;
+  /// The dataset, once its type and shape are what is expected: memory is asked for only after that.
+  Handle dataset(const std::string& name, hid_t type, std::size_t rows, std::size_t columns) const;
+  void read(const Handle& data, const std::string& name, hid_t type, void* values, std::size_t rows) const;
   std::string path_;
   Handle file_;
 };

@@ -33,12 +33,12 @@ void write_beside(const std::string& path, const std::function<void(const std::s
   try {
     write(beside);
     sync(beside);
+    fs::rename(beside, path, fault);
+    if (fault) throw RunError(path + ": cannot be renamed into place: " + fault.message());
   } catch (...) {
     fs::remove(beside, fault);
     throw;
   }
-  fs::rename(beside, path, fault);
-  if (fault) throw RunError(path + ": cannot be renamed into place: " + fault.message());
 }
 
 void write_text_beside(const std::string& path, const std::string& text) {

@@ -1,0 +1,191 @@
+// The particle file: what is written comes back, and what is broken is refused.
+#include "core/snapshot.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "core/hdf5.hpp"
+#include "support/fault.hpp"
+#include "support/particles.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace tektite {
+namespace {
+
+using Catch::Matchers::Contains;
+using test::fault_of;
+
+Snapshot sample(Space space = Space::plane_strain) {
+  return {test::filled_particles(space), {{"time", 1.25e-6}, {"step", 42.0}, {"odd", 0.1}}, "name = \"sample\"\n"};
+}
+
+std::string bytes_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void write_bytes(const std::string& path, const std::string& bytes) { std::ofstream(path, std::ios::binary) << bytes; }
+
+/// Names of the kept fields that one of the two has and the other has not, or has with other numbers.
+std::vector<std::string> fields_that_differ(const Particles& a, const Particles& b) {
+  std::vector<std::string> names;
+  for (const auto& row : field_table) {
+    if (row.keep == Keep::scratch) continue;
+    bool same = a.has(row.field) && b.has(row.field);
+    if (same && row.rank == Rank::integer)
+      same = std::ranges::equal(a.integers(row.field), b.integers(row.field));
+    else if (same)
+      same = std::ranges::equal(a.reals(row.field), b.reals(row.field));
+    if (!same) names.emplace_back(row.name);
+  }
+  return names;
+}
+
+bool same_bodies(const std::vector<Body>& a, const std::vector<Body>& b) {
+  return std::ranges::equal(a, b, [](const Body& left, const Body& right) {
+    return left.name == right.name && left.material == right.material && left.spacing == right.spacing &&
+           left.range.begin == right.range.begin && left.range.end == right.range.end;
+  });
+}
+
+/// A sample in a folder of its own.
+struct Written {
+  explicit Written(const Snapshot& snapshot = sample()) { write_snapshot(snapshot, path); }
+  test::TemporaryFolder folder;
+  std::string path = folder.file("particles.h5");
+};
+
+TEST_CASE("Snapshot: every kept field, in every space, comes back bit for bit") {
+  const auto space = GENERATE(Space::line, Space::plane_strain, Space::plane_stress, Space::solid);
+  const auto written = sample(space);
+  const Written file(written);
+  const auto read = read_snapshot(file.path);
+  CHECK(read.scene == written.scene);
+  CHECK(read.state == written.state);
+  CHECK(read.particles.space() == space);
+  CHECK(fields_that_differ(read.particles, written.particles).empty());
+}
+
+TEST_CASE("Snapshot: bodies come back with name, material, spacing and range") {
+  const Written file;
+  CHECK(same_bodies(read_snapshot(file.path).particles.bodies(), test::two_bodies()));
+}
+
+TEST_CASE("Snapshot: spare places of a field are not written") {
+  auto snapshot = sample();
+  snapshot.particles.allocate(Field::density, 5);
+  for (auto& value : snapshot.particles.reals(Field::density)) value = 1.0;
+  const Written file(snapshot);
+  CHECK(read_snapshot(file.path).particles.reals(Field::density).size() == 7);
+}
+
+TEST_CASE("Snapshot: what is missing, foreign or no HDF5 is refused") {
+  const test::TemporaryFolder folder;
+  CHECK_THAT(fault_of([&] { read_snapshot(folder.file("none.h5")); }), Contains("none.h5: there is no such file"));
+  CHECK_THAT(fault_of([&] { read_snapshot(folder.path()); }), Contains("cannot be opened as HDF5"));
+  write_bytes(folder.file("empty.h5"), "");
+  CHECK_THAT(fault_of([&] { read_snapshot(folder.file("empty.h5")); }), Contains("cannot be opened as HDF5"));
+  write_bytes(folder.file("text.h5"), "name = \"a scene\"\n");
+  CHECK_THAT(fault_of([&] { read_snapshot(folder.file("text.h5")); }), Contains("cannot be opened as HDF5"));
+  {
+    hdf5::Writer foreign(folder.file("foreign.h5"));
+    foreign.text("/note", "from elsewhere");
+    foreign.close();
+  }
+  CHECK_THAT(fault_of([&] { read_snapshot(folder.file("foreign.h5")); }), Contains("/@format"));
+}
+
+TEST_CASE("Snapshot: a file of a newer format is refused with both versions") {
+  const test::TemporaryFolder folder;
+  hdf5::Writer newer(folder.file("newer.h5"));
+  newer.attribute("/", "format", std::string("tektite particles"));
+  newer.attribute("/", "format_version", std::int64_t{particle_format_version + 1});
+  newer.close();
+  CHECK_THAT(fault_of([&] { read_snapshot(folder.file("newer.h5")); }),
+             Contains("format 2 is not known") && Contains("up to 1"));
+}
+
+TEST_CASE("Snapshot: a truncated file is refused, wherever it ends") {
+  const Written file;
+  const auto whole = bytes_of(file.path);
+  const auto cut = file.folder.file("cut.h5");
+  for (std::size_t length = 0; length < whole.size(); length += 1 + whole.size() / 97) {
+    INFO(length << " of " << whole.size() << " bytes");
+    write_bytes(cut, whole.substr(0, length));
+    CHECK_THROWS_AS(read_snapshot(cut), InputError);
+  }
+}
+
+TEST_CASE("Snapshot: a flipped bit is refused or changes nothing") {
+  const auto original = sample();
+  const Written file(original);
+  const auto whole = bytes_of(file.path);
+  const auto flipped = file.folder.file("flipped.h5");
+  std::size_t refused = 0, harmless = 0;
+  constexpr std::size_t stride = 53;  // prime, so that every kind of byte in the file's structures is hit
+  for (std::size_t at = 0; at < whole.size(); at += stride) {
+    auto bytes = whole;
+    bytes[at] = static_cast<char>(bytes[at] ^ (1 << (at % 8)));
+    write_bytes(flipped, bytes);
+    INFO("byte " << at << " of " << whole.size());
+    try {
+      const auto read = read_snapshot(flipped);
+      CHECK(fields_that_differ(read.particles, original.particles).empty());
+      CHECK(same_bodies(read.particles.bodies(), original.particles.bodies()));
+      CHECK(read.state == original.state);
+      CHECK(read.scene == original.scene);
+      ++harmless;
+    } catch (const InputError&) {
+      ++refused;
+    }
+  }
+  CHECK(refused > 0);
+  CHECK(harmless > 0);  // unused space in the file
+}
+
+TEST_CASE("Snapshot: a number that is not finite or cannot be is refused, with its field") {
+  auto snapshot = sample();
+  const auto [field, value, reason] = GENERATE(table<Field, double, std::string>(
+      {{Field::velocity, std::nan(""), "/particles/velocity: holds a number that is not finite"},
+       {Field::pressure, std::numeric_limits<double>::infinity(),
+        "/particles/pressure: holds a number that is not finite"},
+       {Field::density, 0.0, "/particles/density: holds a number that is not positive"},
+       {Field::mass, -1.0, "/particles/mass: holds a number that is not positive"},
+       {Field::smoothing_length, 0.0, "/particles/smoothing_length: holds a number that is not positive"}}));
+  snapshot.particles.reals(field)[2] = value;
+  const Written file(snapshot);
+  CHECK_THAT(fault_of([&] { read_snapshot(file.path); }), Contains(reason));
+}
+
+TEST_CASE("Snapshot: a count that the data do not have is refused before memory is asked for") {
+  const test::TemporaryFolder folder;
+  const auto path = folder.file("large.h5");
+  hdf5::Writer file(path);
+  file.attribute("/", "format", std::string("tektite particles"));
+  file.attribute("/", "format_version", std::int64_t{1});
+  file.attribute("/", "space", std::string("line"));
+  file.text("/scene", "name = \"x\"");
+  file.group("/state");
+  file.attribute("/state", "time", 0.0);
+  file.group("/bodies");
+  file.group("/bodies/0000");
+  file.attribute("/bodies/0000", "name", std::string("bar"));
+  file.attribute("/bodies/0000", "material", std::string("steel"));
+  file.attribute("/bodies/0000", "spacing", 1e-3);
+  file.attribute("/bodies/0000", "first", std::int64_t{0});
+  file.attribute("/bodies/0000", "count", std::int64_t{1} << 40);
+  file.group("/particles");
+  file.reals("/particles/density", std::vector<double>(4, 1.0), 1);
+  file.close();
+  CHECK_THAT(fault_of([&] { read_snapshot(path); }), Contains("/particles/density: has 4 x 1 numbers where"));
+}
+
+}  // namespace
+}  // namespace tektite
