@@ -1,0 +1,2 @@
+#include <CGAL/Surface_mesh.h>
+#include "physics/eos/linear.hpp"

@@ -1,0 +1,1 @@
+#include "parallel/for_each.hpp"

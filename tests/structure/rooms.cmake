@@ -1,0 +1,39 @@
+# Which room may include what and link what: the link graph of the project, as data for check_rooms.cmake.
+#   ROOMS            the folders that make up a room
+#   SEES_<room>      what its #include "..." may begin with
+#   TARGETS_<room>   its targets
+#   LINKS_<room>     the targets of this project that these may link
+#   FOREIGN_<room>   the libraries that only this room may include and link, as regular expressions
+set(ROOMS core physics engine front preprocess postprocess)
+
+set(FOLDERS_core solver/core)
+set(SEES_core core/)
+set(TARGETS_core tektite_core)
+set(LINKS_core tektite_options)
+
+set(FOLDERS_physics solver/physics)
+set(SEES_physics core/ physics/)
+set(TARGETS_physics tektite_physics)
+set(LINKS_physics tektite_core tektite_options)
+
+set(FOLDERS_engine solver/boundary solver/neighbours solver/output solver/parallel solver/passes solver/schemes solver)
+set(SEES_engine core/ physics/ boundary/ neighbours/ output/ parallel/ passes/ schemes/)
+set(TARGETS_engine tektite_engine tektite-solve)
+set(LINKS_engine tektite_core tektite_physics tektite_engine tektite_options)
+
+set(FOLDERS_front solver/front)
+set(SEES_front core/ front/)
+set(TARGETS_front tektite)
+set(LINKS_front tektite_core)
+
+set(FOLDERS_preprocess preprocess)
+set(SEES_preprocess core/ preprocess/)
+set(TARGETS_preprocess tektite_preprocess tektite-preprocess)
+set(LINKS_preprocess tektite_core tektite_preprocess tektite_options)
+set(FOREIGN_preprocess CGAL)
+
+set(FOLDERS_postprocess postprocess)
+set(SEES_postprocess core/ postprocess/)
+set(TARGETS_postprocess tektite_postprocess tektite-postprocess)
+set(LINKS_postprocess tektite_core tektite_postprocess tektite_options)
+set(FOREIGN_postprocess "VTK|vtk")
