@@ -79,6 +79,8 @@ class Document {
 class Section {
  public:
   bool has(std::string_view key) const;
+  /// Whether the key is there and holds a table, for keys that may hold a table or something shorter.
+  bool has_table(std::string_view key) const { return table_->get(key) && table_->get(key)->is_table(); }
 
   /// Quantities with unit; a bare number is SI.
   double quantity(const std::string& key, const Dimension& dimension, const Limits& limits = {});
@@ -113,6 +115,8 @@ class Section {
   void finish() const;
 
   const std::string& path() const { return path_; }
+  /// The file that the document was read from: paths in a scene are relative to its folder.
+  const std::string& origin() const { return document_->origin(); }
   /// The error for a key of this section (or the section itself, where key is empty).
   InputError fault(const std::string& key, const std::string& reason, const std::string& allowed = {}) const;
 
