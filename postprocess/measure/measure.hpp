@@ -1,0 +1,75 @@
+#pragma once
+// What a measure is: read from [measure.NAME] once, then taken of an event. The kinds stand in kinds.def; a new one is
+// one new file with its reader and one line there.
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/document.hpp"
+#include "postprocess/history.hpp"
+#include "postprocess/measure/connectivity.hpp"
+#include "postprocess/whole.hpp"
+
+namespace tektite {
+
+/// What the scene declares and a measure may name.
+struct Declared {
+  Space space = Space::line;
+  std::vector<std::string> bodies;
+  std::map<std::string, std::string> body_of_probe;
+};
+
+/// What happened, as far as measures look at it. All particles are whole (mirrored).
+struct Event {
+  Whole initial;
+  Whole last;
+  Snapshot last_snapshot;
+  Fragments fragments;         ///< of `last`, linked over the support of the kernel
+  Fragments narrow_fragments;  ///< of `last`, linked over one smoothing length
+  std::optional<History> history;
+  std::optional<double> contact_time;  ///< in s
+};
+
+/// A line to draw for a measure, in the coordinates of the scene.
+struct Segment {
+  Point from;
+  Point to;
+};
+
+struct Measured {
+  double value = 0.0;        ///< in SI
+  double time = 0.0;         ///< in s: when it is so
+  double uncertainty = 0.0;  ///< in the unit of the value
+  std::optional<Segment> drawing;
+};
+
+/// Throws RunError where the event does not hold what the measure needs.
+using Measure = std::function<Measured(const Event&)>;
+
+struct MeasureKind {
+  std::string name;
+  Dimension dimension;
+  Measure (*read)(Section& section, const Declared& declared);
+};
+
+/// All kinds, in the order of kinds.def.
+std::span<const MeasureKind> measure_kinds();
+
+/// One measure of a scene: [measure.NAME], whose kind is NAME unless `type` says otherwise.
+struct NamedMeasure {
+  std::string name;
+  const MeasureKind* kind = nullptr;
+  Measure measure;
+};
+
+/// Reads the tables [measure.NAME]; an unknown kind, body or probe is answered with the known ones.
+std::vector<NamedMeasure> read_measures(Section& root, const Declared& declared);
+
+/// The key `body` of a measure (or another key that names one).
+std::string read_body(Section& section, const std::string& key, const Declared& declared);
+
+}  // namespace tektite

@@ -1,0 +1,103 @@
+#include "postprocess/pipeline.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+
+#include <filesystem>
+#include <iostream>
+
+#include "core/error.hpp"
+#include "postprocess/export/fragments_csv.hpp"
+#include "postprocess/export/vtu.hpp"
+#include "postprocess/plan.hpp"
+#include "postprocess/render/draw.hpp"
+#include "postprocess/report.hpp"
+
+namespace tektite {
+namespace {
+
+namespace fs = std::filesystem;
+
+Document scene_of(const PostprocessOptions& options, const Snapshot& last, const std::string& path) {
+  if (!options.scene.empty()) return Document::load(options.scene, options.variant, options.settings);
+  if (!options.settings.empty()) throw InputError("--set changes a scene file; give one with --scene");
+  return Document::parse(last.scene, path);
+}
+
+void export_snapshots(const RunFolder& run, const std::string& scene_name) {
+  std::vector<TimedFile> files;
+  for (const auto& path : run.snapshots) {
+    const auto snapshot = read_snapshot(path);
+    const auto file = "vtu/" + fs::path(path).stem().string() + ".vtu";
+    write_vtu(snapshot, (fs::path(run.path) / file).string());
+    files.push_back({snapshot.time(), file});
+  }
+  const auto collection = (fs::path(run.path) / (scene_name + ".pvd")).string();
+  write_pvd(files, collection);
+  std::cout << fmt::format("{} snapshots for ParaView: {}\n", files.size(), collection);
+}
+
+Event make_event(const RunFolder& run, const Scene& scene, Snapshot last) {
+  Event event;
+  event.initial = make_whole(read_snapshot(run.snapshots.front()), scene.symmetry);
+  event.last = make_whole(last, scene.symmetry);
+  event.last_snapshot = std::move(last);
+  event.fragments = find_fragments(event.last, link_of_support);
+  event.narrow_fragments = find_fragments(event.last, link_of_smoothing_length);
+  event.history = run.history;
+  event.contact_time = run.number("contact_time");
+  return event;
+}
+
+void take_measures(const std::vector<NamedMeasure>& measures, const Event& event, Report& report) {
+  for (const auto& measure : measures) try {
+      report.measurements.push_back({measure.name, si_unit(measure.kind->dimension), measure.measure(event)});
+    } catch (const RunError& fault) {
+      report.missing.push_back(fmt::format("{}: {}", measure.name, fault.what()));
+    }
+}
+
+}  // namespace
+
+void postprocess(const PostprocessOptions& options) {
+  const auto run = open_run(options.run, options.output);
+  auto last = read_snapshot(run.snapshots.back());
+  auto document = scene_of(options, last, run.snapshots.back());
+  const auto plan = read_plan(document);
+
+  Report report;
+  report.scene = plan.scene.name;
+  report.variant = options.variant;
+  report.time = last.time();
+  report.particles = last.particles.count();
+  if (!options.reference.empty())
+    report.references = read_references(options.reference, options.variant, plan.measures);
+
+  export_snapshots(run, plan.scene.name);
+  const auto event = make_event(run, plan.scene, std::move(last));
+  write_fragments(event.last, event.fragments, (fs::path(run.path) / "fragments.csv").string());
+  take_measures(plan.measures, event, report);
+  write_measurements(report, run, (fs::path(run.path) / "measurements.json").string());
+  std::cout << '\n' << comparison_table(report, run) << '\n';
+
+  if (!options.pictures) return;
+  const auto pictures = plan.pictures.empty() ? default_pictures(event.last_snapshot, run.history) : plan.pictures;
+  for (const auto& line : draw_pictures(pictures, {run, plan.scene, event, report.measurements}))
+    std::cout << line << '\n';
+}
+
+void check_scene(const PostprocessOptions& options) {
+  auto document = Document::load(options.scene, options.variant, options.settings);
+  const auto plan = read_plan(document);
+  if (!options.reference.empty()) read_references(options.reference, options.variant, plan.measures);
+  for (const auto& measure : plan.measures)
+    std::cout << fmt::format("measure {} in {}\n", measure.name, si_unit(measure.kind->dimension));
+  for (const auto& picture : plan.pictures)
+    std::cout << fmt::format("picture {}: {}, {} x {} pixels\n", picture.name,
+                             picture.type == PictureType::history ? "history of " + join(picture.columns)
+                                                                  : picture.field + " of the particles",
+                             picture.width, picture.height);
+  if (plan.pictures.empty()) std::cout << "pictures: the usual ones\n";
+}
+
+}  // namespace tektite

@@ -1,0 +1,24 @@
+#pragma once
+// The door to the drawing: VTK's renderer lives behind it, in a process of its own.
+
+#include <string>
+#include <vector>
+
+#include "postprocess/plan.hpp"
+#include "postprocess/report.hpp"
+
+namespace tektite {
+
+/// What pictures are drawn of.
+struct Drawing {
+  const RunFolder& run;
+  const Scene& scene;
+  const Event& event;
+  const std::vector<Measurement>& measurements;
+};
+
+/// Draws each picture to DIR/pictures/ and returns what is to be told: a path a picture, or why there is none. VTK ends
+/// the process where it has no X server or loses it; so a child draws, on a private X server, and this one goes on.
+std::vector<std::string> draw_pictures(const std::vector<Picture>& pictures, const Drawing& drawing);
+
+}  // namespace tektite

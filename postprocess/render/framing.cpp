@@ -1,0 +1,94 @@
+#include "postprocess/render/framing.hpp"
+
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tektite {
+namespace {
+
+Point cross(const Point& a, const Point& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+Point unit(const Point& a) { return (1.0 / norm(a)) * a; }
+
+struct Looking {
+  Point from;  ///< unit vector towards the camera
+  Point up;
+};
+
+Looking look(int dimensions, const SymmetryPlane* cut) {
+  if (dimensions < 3) return {{0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}};
+  const int axis = cut ? cut->axis : 2;
+  const double side = cut ? -cut->side : 1.0;
+  auto from = Point{0.35, 0.35, 0.35};
+  from[axis] = side;
+  auto up = Point::zero();
+  up[axis == 1 ? 2 : 1] = 1.0;
+  return {unit(from), up};
+}
+
+}  // namespace
+
+Box framed(const Picture& picture, const Whole& whole, const std::vector<bool>& drawn,
+           const std::vector<Segment>& segments) {
+  Box box;
+  if (picture.view) {
+    auto low = Point::zero();
+    auto high = Point::zero();
+    for (std::size_t k = 0; k < picture.view->lower.size(); ++k) {
+      low[static_cast<int>(k)] = picture.view->lower[k];
+      high[static_cast<int>(k)] = picture.view->upper[k];
+    }
+    box.include(low);
+    box.include(high);
+    return box;
+  }
+  const auto fragments = find_fragments(whole, link_of_support);
+  std::vector<double> body_mass(whole.bodies.size(), 0.0);
+  for (std::size_t i = 0; i < whole.count(); ++i) body_mass[static_cast<std::size_t>(whole.body[i])] += whole.mass[i];
+  for (std::size_t i = 0; i < whole.count(); ++i) {
+    const auto& fragment = fragments.list[fragments.label[i]];
+    if (!drawn[i] || fragment.mass < 0.01 * body_mass[static_cast<std::size_t>(fragment.body)]) continue;
+    const double half = 0.5 * whole.bodies[static_cast<std::size_t>(whole.body[i])].spacing;
+    box.include(whole.position[i] + Point{half, whole.dimensions > 1 ? half : 0.0, whole.dimensions > 2 ? half : 0.0});
+    box.include(whole.position[i] - Point{half, whole.dimensions > 1 ? half : 0.0, whole.dimensions > 2 ? half : 0.0});
+  }
+  for (const auto& segment : segments) {
+    box.include(segment.from);
+    box.include(segment.to);
+  }
+  return box;
+}
+
+void aim_camera(vtkRenderer* renderer, const Box& box, int dimensions, const SymmetryPlane* cut) {
+  const auto looking = look(dimensions, cut);
+  const auto right = unit(cross(looking.up, looking.from));
+  const auto up = cross(looking.from, right);
+  double half_width = 0.0;
+  double half_height = 0.0;
+  for (int corner = 0; corner < 8; ++corner) {
+    Point point;
+    for (int k = 0; k < 3; ++k) point[k] = (corner >> k & 1) != 0 ? box.high[k] : box.low[k];
+    const auto apart = point - box.centre();
+    half_width = std::max(half_width, std::abs(dot(apart, right)));
+    half_height = std::max(half_height, std::abs(dot(apart, up)));
+  }
+  const auto* size = renderer->GetSize();
+  const double aspect = static_cast<double>(size[0]) / static_cast<double>(size[1]);
+  constexpr double margin = 1.04;
+  auto* camera = renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(margin * std::max(half_height, half_width / aspect));
+  const auto centre = box.centre();
+  const auto position = centre + 2.0 * std::max(box.diagonal(), 1e-9) * looking.from;
+  camera->SetFocalPoint(centre.c);
+  camera->SetPosition(position.c);
+  camera->SetViewUp(up.c);
+  renderer->ResetCameraClippingRange();
+}
+
+}  // namespace tektite

@@ -1,0 +1,36 @@
+#pragma once
+// What part of space a picture shows, and from where.
+
+#include <vector>
+
+#include "postprocess/measure/measure.hpp"
+#include "postprocess/render/picture.hpp"
+
+class vtkRenderer;
+
+namespace tektite {
+
+struct Box {
+  Point low{1e300, 1e300, 1e300};
+  Point high{-1e300, -1e300, -1e300};
+
+  void include(const Point& point) {
+    for (int k = 0; k < 3; ++k) {
+      low[k] = point[k] < low[k] ? point[k] : low[k];
+      high[k] = point[k] > high[k] ? point[k] : high[k];
+    }
+  }
+  Point centre() const { return 0.5 * (low + high); }
+  double diagonal() const { return norm(high - low); }
+};
+
+/// The box of the picture's `view`, else of all fragments of the drawn particles that weigh at least a hundredth of
+/// their body: far crumbs would make the bodies small. Segments of the measures are always inside.
+Box framed(const Picture& picture, const Whole& whole, const std::vector<bool>& drawn,
+           const std::vector<Segment>& segments);
+
+/// Points a parallel camera at the box so that it fills the renderer's viewport: a plane scene face on, a solid one
+/// obliquely, from the side that a cut (an axis and the side of it that is kept) opens.
+void aim_camera(vtkRenderer* renderer, const Box& box, int dimensions, const SymmetryPlane* cut);
+
+}  // namespace tektite

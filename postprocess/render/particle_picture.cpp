@@ -1,0 +1,139 @@
+#include "postprocess/render/particle_picture.hpp"
+
+#include <fmt/format.h>
+#include <vtkActor.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkScalarsToColors.h>
+#include <vtkSmartPointer.h>
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "postprocess/render/annotations.hpp"
+#include "postprocess/render/colours.hpp"
+#include "postprocess/render/framing.hpp"
+#include "postprocess/render/image.hpp"
+#include "postprocess/render/particle_actors.hpp"
+#include "postprocess/scalar_field.hpp"
+#include "postprocess/shown_unit.hpp"
+
+namespace tektite {
+namespace {
+
+/// A solid scene with a symmetry plane is left open there, to show what is inside.
+const SymmetryPlane* cut_of(const Scene& scene) {
+  return dimensions_of(scene.space) == 3 && !scene.symmetry.empty() ? &scene.symmetry.front() : nullptr;
+}
+
+std::vector<bool> particles_to_draw(const Picture& picture, const Whole& whole, bool cut) {
+  std::vector<bool> drawn(whole.count());
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    const auto& body = whole.bodies[static_cast<std::size_t>(whole.body[i])].name;
+    const bool wanted =
+        picture.bodies.empty() || std::find(picture.bodies.begin(), picture.bodies.end(), body) != picture.bodies.end();
+    drawn[i] = wanted && !(cut && (whole.image[i] & 1u) != 0);
+  }
+  if (std::find(drawn.begin(), drawn.end(), true) == drawn.end()) throw RunError("there is no particle to draw");
+  return drawn;
+}
+
+/// The range of the drawn values without the outermost half per cent on either side, which a few stray particles
+/// would otherwise decide. Never empty.
+std::pair<double, double> colour_range(const std::vector<double>& values, const std::vector<bool>& drawn) {
+  std::vector<double> sorted;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (drawn[i]) sorted.push_back(values[i]);
+  std::sort(sorted.begin(), sorted.end());
+  const auto skip = sorted.size() / 200;
+  const double least = sorted[skip];
+  const double most = sorted[sorted.size() - 1 - skip];
+  if (most > least) return {least, most};
+  const double half = least == 0.0 ? 1.0 : 0.5 * std::abs(least);
+  return {least - half, least + half};
+}
+
+std::string readable(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+std::string time_in_words(double time, const std::optional<double>& contact) {
+  const double shown = contact ? time - *contact : time;
+  const auto unit = shown_unit(shown, "s");
+  return fmt::format("{:.3f} {}{}", shown * unit.factor, unit.label, contact ? " after contact" : "");
+}
+
+/// The measures that have a line to draw and were taken at this time.
+std::vector<DimensionLine> dimension_lines(const Picture& picture, const Drawing& drawing, double time) {
+  std::vector<DimensionLine> lines;
+  if (!picture.measures) return lines;
+  for (const auto& [name, si_unit, measured] : drawing.measurements) {
+    if (!measured.drawing || measured.time != time) continue;
+    const auto unit = shown_unit(measured.value, si_unit);
+    lines.push_back(
+        {*measured.drawing, fmt::format("{} {:.3g} ± {:.1g} {}", readable(name), measured.value * unit.factor,
+                                        measured.uncertainty * unit.factor, unit.label)});
+  }
+  return lines;
+}
+
+vtkSmartPointer<vtkRenderWindow> make_window(const Picture& picture, vtkRenderer* scene, vtkRenderer* overlay) {
+  auto window = vtkSmartPointer<vtkRenderWindow>::New();
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(8);
+  window->SetSize(picture.width, picture.height);
+  window->SetNumberOfLayers(2);
+  scene->SetBackground(1.0, 1.0, 1.0);
+  scene->SetViewport(0.02, 0.08, 0.85, 0.89);
+  overlay->SetLayer(1);
+  overlay->InteractiveOff();
+  overlay->SetBackground(1.0, 1.0, 1.0);
+  window->AddRenderer(scene);
+  window->AddRenderer(overlay);
+  return window;
+}
+
+}  // namespace
+
+void draw_particles(const Picture& picture, const Snapshot& snapshot, const Drawing& drawing, const std::string& path) {
+  const auto field = scalar_field(snapshot, picture.field);
+  if (!field) throw RunError(fmt::format("the snapshot at {} s has no {}", snapshot.time(), picture.field));
+  const auto whole = make_whole(snapshot, drawing.scene.symmetry);
+  const auto* cut = cut_of(drawing.scene);
+  const auto drawn = particles_to_draw(picture, whole, cut != nullptr);
+
+  std::vector<double> values(whole.count());
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = (*field)[whole.source[i]];
+  const auto range = picture.range.value_or(colour_range(values, drawn));
+  const auto unit =
+      shown_unit(std::max(std::abs(range.first), std::abs(range.second)), scalar_field_unit(picture.field));
+  for (auto& value : values) value *= unit.factor;
+  const bool names = picture.field == "body";
+  const auto colours = names ? distinct_colours(whole.bodies.size())
+                             : continuous_colours(range.first * unit.factor, range.second * unit.factor);
+
+  const auto scene = vtkSmartPointer<vtkRenderer>::New();
+  const auto overlay = vtkSmartPointer<vtkRenderer>::New();
+  const auto window = make_window(picture, scene, overlay);
+  scene->AddActor(particle_actor(whole, drawn, values, colours));
+  const auto lines = dimension_lines(picture, drawing, snapshot.time());
+  std::vector<Segment> segments;
+  for (const auto& line : lines) segments.push_back(line.segment);
+  aim_camera(scene, framed(picture, whole, drawn, segments), whole.dimensions, cut);
+
+  add_dimension_lines(scene, lines);
+  add_title(overlay, drawing.scene.title,
+            fmt::format("{}, {}", readable(picture.field), time_in_words(snapshot.time(), drawing.event.contact_time)));
+  add_scale_bar(overlay, scene);
+  if (names) {
+    std::vector<std::string> bodies;
+    for (const auto& body : whole.bodies) bodies.push_back(body.name);
+    add_legend(overlay, bodies);
+  } else {
+    add_colour_bar(overlay, colours, readable(picture.field) + (unit.label.empty() ? "" : ", " + unit.label));
+  }
+  write_png(window, path);
+}
+
+}  // namespace tektite

@@ -1,0 +1,109 @@
+#include "postprocess/render/picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/units.hpp"
+#include "postprocess/scalar_field.hpp"
+
+namespace tektite {
+namespace {
+
+constexpr Limits pixels{100, 10000};
+
+Dimension dimension_of(const std::string& unit) {
+  if (unit == "1") return dimension::none;
+  return parse_quantity("1 " + unit).value().dimension;
+}
+
+std::optional<Region> read_view(Section& picture, Space space) {
+  if (!picture.has("view")) return std::nullopt;
+  auto view = picture.section("view");
+  const auto count = static_cast<std::size_t>(dimensions_of(space));
+  Region region{view.quantities("lower", dimension::length, count), view.quantities("upper", dimension::length, count)};
+  for (std::size_t k = 0; k < count; ++k)
+    if (region.lower[k] >= region.upper[k]) throw view.fault("upper", "must lie above lower in every coordinate");
+  view.finish();
+  return region;
+}
+
+std::vector<double> read_times(Section& picture) {
+  std::vector<double> times;
+  for (const auto& text : picture.texts("times", {})) {
+    const auto time = parse_quantity(text);
+    if (!time || time->dimension != dimension::time)
+      throw picture.fault("times", fmt::format("\"{}\" is not a time", text), "a list such as [\"1 us\", \"8 us\"]");
+    times.push_back(time->value);
+  }
+  return times;
+}
+
+void read_particles(Section& section, const Declared& declared, Picture& picture) {
+  picture.field = section.choice("field", scalar_field_names());
+  picture.bodies = section.texts("bodies", declared.bodies);
+  for (const auto& body : picture.bodies)
+    if (std::find(declared.bodies.begin(), declared.bodies.end(), body) == declared.bodies.end())
+      throw section.fault("bodies", fmt::format("there is no body {}", body), join(declared.bodies));
+  if (section.has("range")) {
+    const auto range = section.quantities("range", dimension_of(scalar_field_unit(picture.field)), 2);
+    if (range[0] >= range[1]) throw section.fault("range", "must rise", "[least, largest]");
+    picture.range = {range[0], range[1]};
+  }
+  if (section.has("times"))
+    picture.times = read_times(section);
+  else
+    picture.all_times = section.choice("time", std::vector<std::string>{"last", "all"}, "last") == "all";
+  picture.view = read_view(section, declared.space);
+  picture.measures = section.flag("measures", true);
+}
+
+Picture particles_of(const std::string& field) {
+  Picture picture;
+  picture.name = field;
+  picture.field = field;
+  return picture;
+}
+
+}  // namespace
+
+std::vector<Picture> read_pictures(Section& root, const Declared& declared) {
+  const std::vector<std::string> types{"particles", "history"};
+  std::vector<Picture> pictures;
+  for (auto& [name, section] : root.named_sections("picture")) {
+    Picture picture;
+    picture.name = name;
+    if (name.find_first_of("/\\ ") != std::string::npos)
+      throw section.fault("", "names a file, so it must be plain", "letters, digits, _ and -");
+    if (section.choice("type", types, "particles") == "history") {
+      picture.type = PictureType::history;
+      picture.columns = section.texts("columns", {"kinetic_energy", "internal_energy", "total_energy"});
+      if (picture.columns.empty()) throw section.fault("columns", "nothing to draw", "names of columns of history.csv");
+    } else {
+      read_particles(section, declared, picture);
+    }
+    picture.width = static_cast<int>(section.integer("width", pixels, picture.width));
+    picture.height = static_cast<int>(section.integer("height", pixels, picture.height));
+    section.finish();
+    pictures.push_back(picture);
+  }
+  return pictures;
+}
+
+std::vector<Picture> default_pictures(const Snapshot& last, const std::optional<History>& history) {
+  std::vector<Picture> pictures;
+  for (const auto* field : {"pressure", "plastic_strain"})
+    if (last.particles.has(field_named(field).value())) pictures.push_back(particles_of(field));
+  pictures.push_back(particles_of("speed"));
+  pictures.push_back(particles_of("body"));
+  if (!history || history->rows() < 2) return pictures;
+  Picture energy;
+  energy.name = "energy";
+  energy.type = PictureType::history;
+  for (const auto* column : {"kinetic_energy", "internal_energy", "plastic_work", "viscous_work", "total_energy"})
+    if (history->has(column)) energy.columns.emplace_back(column);
+  if (!energy.columns.empty()) pictures.push_back(energy);
+  return pictures;
+}
+
+}  // namespace tektite

@@ -1,0 +1,46 @@
+#pragma once
+// What a scene asks to be drawn: [picture.NAME]. Reading needs no VTK and no X server.
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/document.hpp"
+#include "postprocess/measure/measure.hpp"
+
+namespace tektite {
+
+enum class PictureType { particles, history };
+
+struct Region {
+  std::vector<double> lower;  ///< in m
+  std::vector<double> upper;
+};
+
+struct Picture {
+  std::string name;  ///< names the file
+  PictureType type = PictureType::particles;
+  int width = 1600;  ///< in pixels
+  int height = 1000;
+
+  // particles
+  std::string field;                               ///< a name of scalar_field_names()
+  std::vector<std::string> bodies;                 ///< those that are drawn; all where it is empty
+  std::optional<std::pair<double, double>> range;  ///< of the colours, in SI; that of the field where it is not given
+  bool all_times = false;                          ///< every snapshot, not only the last one
+  std::vector<double> times;                       ///< in s: the snapshots nearest to these
+  std::optional<Region> view;                      ///< what is seen; everything coherent where it is not given
+  bool measures = true;                            ///< whether the measures are drawn on it
+
+  // history
+  std::vector<std::string> columns;  ///< of history.csv
+};
+
+/// Reads the tables [picture.NAME]; an unknown field or body is answered with the known ones.
+std::vector<Picture> read_pictures(Section& root, const Declared& declared);
+
+/// What is drawn where a scene asks for nothing: the fields of impact that the state holds, and the energies over time.
+std::vector<Picture> default_pictures(const Snapshot& last, const std::optional<History>& history);
+
+}  // namespace tektite
