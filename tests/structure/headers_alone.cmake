@@ -1,5 +1,7 @@
 # Target headers_alone: every header of the project compiles without another one before it. One object library a room,
 # so that each header is compiled with what its own room may see.
+include(rooms.cmake)
+
 add_custom_target(headers_alone ALL)
 
 function(tektite_headers_alone target)
@@ -7,6 +9,7 @@ function(tektite_headers_alone target)
     return()
   endif()
   set(sources)
+  list(REMOVE_ITEM ARGN solver)
   foreach(folder IN LISTS ARGN)
     file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/${folder}/*.hpp)
     foreach(header IN LISTS headers)
@@ -28,7 +31,6 @@ endfunction()
 
 tektite_headers_alone(tektite_core solver/core solver/front tests/support)
 tektite_headers_alone(tektite_physics solver/physics)
-tektite_headers_alone(tektite_engine
-  solver/boundary solver/neighbours solver/output solver/parallel solver/passes solver/schemes)
+tektite_headers_alone(tektite_engine ${FOLDERS_engine})
 tektite_headers_alone(tektite_preprocess preprocess)
 tektite_headers_alone(tektite_postprocess postprocess)

@@ -1,5 +1,5 @@
 # Which room may include what and link what: the link graph of the project, as data for check_rooms.cmake.
-#   ROOMS            the folders that make up a room
+#   FOLDERS_<room>   the folders that make it up
 #   SEES_<room>      what its #include "..." may begin with
 #   TARGETS_<room>   its targets
 #   LINKS_<room>     the targets of this project that these may link
@@ -16,8 +16,11 @@ set(SEES_physics core/ physics/)
 set(TARGETS_physics tektite_physics)
 set(LINKS_physics tektite_core tektite_options)
 
-set(FOLDERS_engine solver/boundary solver/neighbours solver/output solver/parallel solver/passes solver/schemes solver)
-set(SEES_engine core/ physics/ boundary/ neighbours/ output/ parallel/ passes/ schemes/)
+set(ENGINE boundary neighbours output parallel passes run schemes)
+list(TRANSFORM ENGINE PREPEND solver/ OUTPUT_VARIABLE FOLDERS_engine)
+list(TRANSFORM ENGINE APPEND / OUTPUT_VARIABLE SEES_engine)
+list(APPEND FOLDERS_engine solver)
+list(APPEND SEES_engine core/ physics/)
 set(TARGETS_engine tektite_engine tektite-solve)
 set(LINKS_engine tektite_core tektite_physics tektite_engine tektite_options)
 
