@@ -37,8 +37,9 @@ toml::table parse_toml(std::string_view text, const std::string& origin) {
   }
 }
 
-// Below an effective scene stand comments that tell where each key came from: one line for a file, and below it one
-// for each key of it. So a fault found by a later stage still names the line that a person wrote.
+// Below an effective scene stand comments that tell the variant, and where each key came from: one line for a file, and
+// below it one for each key of it. So a fault found by a later stage still names the line that a person wrote.
+constexpr std::string_view variant_mark = "#@ variant ";
 constexpr std::string_view file_mark = "#@ file ";
 constexpr std::string_view line_mark = "#@ line ";
 
@@ -54,6 +55,13 @@ std::string places_as_comments(const std::map<std::string, Place>& places) {
     comments += fmt::format("{}{}\n{}", file_mark, name, lines);
   }
   return comments;
+}
+
+std::string variant_from_comments(std::string_view text) {
+  const auto at = text.find(variant_mark);
+  if (at == std::string_view::npos) return {};
+  const auto name = text.substr(at + variant_mark.size());
+  return std::string(name.substr(0, name.find('\n')));
 }
 
 std::map<std::string, Place> places_from_comments(std::string_view text) {
@@ -104,6 +112,7 @@ Document Document::load(const std::string& path, const std::string& variant, con
                       "no such variant",
                       document.variants_.empty() ? "this scene has none" : join(document.variants_)});
   if (chosen) document.lay_over(*document.table_, *chosen, "", "variant." + variant);
+  document.variant_ = variant;
   for (const auto& setting : settings) document.set(setting);
   return document;
 }
@@ -113,6 +122,7 @@ Document Document::parse(std::string_view text, const std::string& origin) {
   document.origin_ = origin;
   document.table_ = std::make_shared<toml::table>(parse_toml(text, origin));
   document.remember(*document.table_, "", origin);
+  document.variant_ = variant_from_comments(text);
   if (auto places = places_from_comments(text); !places.empty()) document.places_ = std::move(places);
   return document;
 }
@@ -123,7 +133,9 @@ std::string Document::text() const {
   std::ostringstream out;
   out << toml::toml_formatter(*table_,
                               toml::toml_formatter::default_flags & ~toml::format_flags::allow_literal_strings);
-  return std::move(out).str() + "\n" + places_as_comments(places_);
+  out << '\n';
+  if (!variant_.empty()) out << variant_mark << variant_ << '\n';
+  return std::move(out).str() + places_as_comments(places_);
 }
 
 void Document::remember(const toml::node& node, const std::string& path, const std::string& file) {

@@ -57,9 +57,11 @@ class Document {
 
   Section root();
   std::vector<std::string> variants() const { return variants_; }
+  /// The variant that is laid over; empty where there is none.
+  const std::string& variant() const { return variant_; }
   const std::string& origin() const { return origin_; }
 
-  /// The document as TOML, with comments that tell the file and line of each key, which parse() reads.
+  /// The document as TOML, with comments that tell the variant and the file and line of each key, which parse() reads.
   std::string text() const;
 
  private:
@@ -71,6 +73,7 @@ class Document {
   std::shared_ptr<toml::table> table_;
   std::map<std::string, Place> places_;
   std::vector<std::string> variants_;
+  std::string variant_;
   std::string origin_;
 };
 

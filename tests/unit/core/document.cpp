@@ -138,6 +138,8 @@ TEST_CASE("Document: the effective scene reads back with values, defaults and pl
   }
   auto again = Document::parse(document.text(), "particles.h5");
   CHECK(again.text() == document.text());
+  CHECK(again.variant() == "fine");
+  CHECK(file.load().variant().empty());
   auto root = again.root();
   auto time = root.section("time");
   CHECK(time.quantity("end", dimension::time) == Approx(8e-6).epsilon(1e-15));
