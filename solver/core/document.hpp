@@ -48,7 +48,7 @@ class Document {
  public:
   /// Reads a scene file, lays [variant.NAME] over it (none where the name is empty) and then each setting "KEY=VALUE".
   /// A table in a variant that gives another `type` or `model` than the scene replaces the scene's table whole;
-  /// otherwise keys are overridden one by one. Throws InputError.
+  /// otherwise keys are overridden one by one. What remains of `variant` is the name. Throws InputError.
   static Document load(const std::string& path, const std::string& variant, const std::vector<std::string>& settings);
 
   /// Reads an effective scene from text, as it stands in a particle file; `origin` is what messages name for a key of

@@ -92,7 +92,7 @@ struct Symmetric {
   /// Index in c of component (i, j); i == j may exceed D (the normal components across the space).
   static constexpr int index(int i, int j) {
     if (i == j) return i;
-    return i + j == 1 ? 3 : (i + j == 3 ? 4 : 5);
+    return D == 2 || i + j == 1 ? 3 : (i + j == 3 ? 4 : 5);
   }
   T& operator()(int i, int j) { return c[index(i, j)]; }
   const T& operator()(int i, int j) const { return c[index(i, j)]; }

@@ -40,7 +40,8 @@ int check(const Words& arguments) {
   line.about = "Validates a scene, says in words what it means, and estimates what a run takes.";
   scene.add_to(line);
   if (boost::program_options::variables_map values; parse(line, arguments, values)) return exit_done;
-  if (const int code = check_scene(scene); code != exit_done) return code;
+  for (const auto stage : {Stage::preprocess, Stage::postprocess})
+    if (const int code = check_scene(stage, scene); code != exit_done) return code;
   const TemporaryFolder folder;
   const auto particles = folder.file("particles.h5");
   if (const int code = make_particles(scene, particles, Show::nothing); code != exit_done) return code;

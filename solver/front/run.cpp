@@ -102,7 +102,7 @@ int run(const Words& arguments) {
   check_folder(order->folder, order->replace);
 
   // Wrong input is found before anything is computed, and leaves everything as it was.
-  if (const int code = check_scene(order->scene); code != exit_done) return code;
+  if (const int code = check_scene(Stage::postprocess, order->scene); code != exit_done) return code;
   Draft draft(order->folder);
   if (const int code = make_particles(order->scene, draft.path()); code != exit_done) return code;
   if (const int code = run_stage(Stage::solve, {"--check", draft.path()}); code != exit_done) return code;

@@ -7,12 +7,10 @@
 
 namespace tektite::front {
 
-int check_scene(const SceneArguments& scene) {
+int check_scene(Stage stage, const SceneArguments& scene) {
   auto words = scene.words();
   words.push_back("--check");
-  for (const auto stage : {Stage::preprocess, Stage::postprocess})
-    if (const int code = run_stage(stage, words); code != exit_done) return code;
-  return exit_done;
+  return run_stage(stage, words);
 }
 
 int make_particles(const SceneArguments& scene, const std::string& path, Show show) {

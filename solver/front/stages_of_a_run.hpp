@@ -12,10 +12,10 @@ namespace tektite::front {
 /// The published values as a run keeps them, so that it can be shown again wherever it is moved.
 inline constexpr const char* reference_name = "reference.toml";
 
-/// Has every stage that reads the scene itself validate its part.
-int check_scene(const SceneArguments& scene);
+/// Has a stage that reads the scene file validate its part and say in words what it would do.
+int check_scene(Stage stage, const SceneArguments& scene);
 
-/// Writes the initial particles.
+/// Writes the initial particles, which validates everything that they depend on.
 int make_particles(const SceneArguments& scene, const std::string& path, Show show = Show::output);
 
 /// Solves the run in `folder`, measures and draws it, and sets it beside what was published.

@@ -1,0 +1,33 @@
+// tektite-solve: from particles to a computed impact.
+
+#include "core/error.hpp"
+#include "core/program.hpp"
+#include "run/run.hpp"
+
+int main(int argc, char** argv) {
+  using namespace tektite;
+  return run_program("tektite-solve", [&] {
+    namespace po = boost::program_options;
+    CommandLine line;
+    line.usage = "tektite-solve DIR [--resume] [--threads N]\n       tektite-solve --check FILE.h5";
+    line.about =
+        "Computes the run whose initial particles are DIR/particles.h5; leaves DIR/snapshots/*.h5, DIR/history.csv,\n"
+        "DIR/solve.json and DIR/run.log.";
+    line.options.add_options()("resume", "go on from the newest snapshot")(
+        "threads", po::value<int>()->default_value(0), "threads to use (0: all that there are)")(
+        "check", po::value<std::string>(), "say what a run of these particles would do; compute nothing that is kept");
+    line.hidden.add_options()("folder", po::value<std::string>());
+    line.positional.add("folder", 1);
+    po::variables_map values;
+    if (parse_command_line(line, argc, argv, values)) return int{exit_done};
+    const int threads = values["threads"].as<int>();
+    constexpr int most_threads = 4096;
+    if (threads < 0 || threads > most_threads) throw InputError("--threads must be a number from 0 to 4096");
+    if (values.contains("check")) {
+      forecast(values["check"].as<std::string>(), threads);
+      return int{exit_done};
+    }
+    if (!values.contains("folder")) throw InputError("the folder of the run is missing; see --help");
+    return int{run({values["folder"].as<std::string>(), values.contains("resume"), threads}) ? exit_done : exit_failed};
+  });
+}

@@ -1,0 +1,42 @@
+#pragma once
+// Cells for the search of neighbours. The grid wraps around: a cell's coordinates are taken modulo a power of two, so
+// any extent fits into memory proportional to the particles; what falls into a cell from far away is told apart by its
+// distance. Each side has at least four cells, so the 3^D cells about a place are all different.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/tensor.hpp"
+
+namespace tektite {
+
+template <int D>
+class CellGrid {
+ public:
+  /// Sorts the positions into cells of this side length in m.
+  void build(std::span<const Vector<double, D>> positions, double side);
+
+  std::size_t cells() const { return first_.size() - 1; }
+  /// Which cell a place is in.
+  std::size_t cell_of(const Vector<double, D>& x) const;
+  /// Indices in a cell, ascending.
+  std::span<const std::uint32_t> members(std::size_t cell) const {
+    return {members_.data() + first_[cell], members_.data() + first_[cell + 1]};
+  }
+  /// The 3^D cells about a place, in a fixed order.
+  std::array<std::size_t, (D == 1 ? 3 : D == 2 ? 9 : 27)> around(const Vector<double, D>& x) const;
+
+ private:
+  std::array<std::int64_t, D> coordinates(const Vector<double, D>& x) const;
+  std::size_t index(const std::array<std::int64_t, D>& c) const;
+
+  double side_ = 1.0;
+  Vector<double, D> origin_{};
+  std::array<std::int64_t, D> size_{};
+  std::vector<std::uint32_t> first_;
+  std::vector<std::uint32_t> members_;
+};
+
+}  // namespace tektite

@@ -1,0 +1,47 @@
+#pragma once
+// Keeps the particles ordered in space and the list of pairs valid: it is made anew when two particles may have come
+// nearer by more than the skin. Order, list and images follow from the search positions and the reach alone, both of
+// which are saved, so a restart goes on with the same list.
+
+#include <vector>
+
+#include "boundary/mirror.hpp"
+#include "core/particles.hpp"
+#include "neighbours/cell_grid.hpp"
+#include "neighbours/pair_list.hpp"
+
+namespace tektite {
+
+template <int D>
+class Neighbourhood {
+ public:
+  /// `support` is the farthest distance in m at which two particles act on each other.
+  Neighbourhood(Particles& particles, double support, std::vector<SymmetryPlane> planes);
+
+  /// Makes the list good for the positions in the middle of a step dt. True where it was made anew, and the particles
+  /// were ordered anew.
+  bool prepare(double dt);
+  /// Makes the list as it was when the particles were saved with this reach.
+  void restore(double reach);
+
+  const PairList& pairs() const { return pairs_; }
+  const Mirror<D>& mirror() const { return mirror_; }
+  double reach() const { return reach_; }
+  double support() const { return support_; }
+  std::size_t memory() const;
+
+ private:
+  double closest_approach(double dt) const;
+  void sort();
+  void list();
+
+  Particles& particles_;
+  double support_;
+  double reach_ = 0.0;
+  Mirror<D> mirror_;
+  CellGrid<D> grid_;
+  PairList pairs_;
+  std::vector<Vector<double, D>> places_;
+};
+
+}  // namespace tektite

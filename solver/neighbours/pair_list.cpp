@@ -1,0 +1,92 @@
+#include "neighbours/pair_list.hpp"
+
+#include <algorithm>
+
+#include "core/pack.hpp"
+
+namespace tektite {
+namespace {
+
+constexpr std::size_t block_size = 256;
+
+/// What lies in the cells about one cell, gathered once for all particles of that cell.
+template <int D>
+struct Candidates {
+  std::vector<std::uint32_t> index;
+  std::vector<double> x[D];
+
+  void gather(const CellGrid<D>& grid, std::span<const Vector<double, D>> positions, const Vector<double, D>& place) {
+    index.clear();
+    for (auto& coordinate : x) coordinate.clear();
+    for (const auto cell : grid.around(place))
+      for (const auto j : grid.members(cell)) {
+        index.push_back(j);
+        for (int k = 0; k < D; ++k) x[k].push_back(positions[j][k]);
+      }
+  }
+};
+
+template <int D>
+void build_block(PairList::Block& block, std::size_t end, const CellGrid<D>& grid,
+                 std::span<const Vector<double, D>> positions, double reach) {
+  Candidates<D> near;
+  std::vector<double> distance;
+  std::size_t last_cell = grid.cells();
+  const double reach_squared = reach * reach;
+  block.first.assign(1, 0);
+  block.neighbours.clear();
+  for (std::size_t i = block.begin; i < end; ++i) {
+    const auto place = positions[i];
+    if (const auto cell = grid.cell_of(place); cell != last_cell) {
+      near.gather(grid, positions, place);
+      distance.resize(near.index.size());
+      last_cell = cell;
+    }
+    const std::size_t count = near.index.size();
+    for (std::size_t n = 0; n < count; ++n) {
+      double square = 0.0;
+      for (int k = 0; k < D; ++k) {
+        const double d = near.x[k][n] - place[k];
+        square += d * d;
+      }
+      distance[n] = square;
+    }
+    const std::size_t start = block.neighbours.size();
+    block.neighbours.resize(start + count + pack_width);
+    auto* out = block.neighbours.data() + start;
+    std::size_t found = 0;
+    for (std::size_t n = 0; n < count; ++n) {
+      out[found] = near.index[n];
+      found += static_cast<std::size_t>(distance[n] < reach_squared && near.index[n] != i);
+    }
+    while (found % pack_width != 0) out[found++] = static_cast<std::uint32_t>(i);
+    block.neighbours.resize(start + found);
+    block.first.push_back(static_cast<std::uint32_t>(start + found));
+  }
+}
+
+}  // namespace
+
+template <int D>
+void PairList::build(const CellGrid<D>& grid, std::span<const Vector<double, D>> positions, std::size_t count,
+                     double reach) {
+  blocks_.resize((count + block_size - 1) / block_size);
+#pragma omp parallel for schedule(dynamic, 1)
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    blocks_[b].begin = b * block_size;
+    build_block(blocks_[b], std::min(count, (b + 1) * block_size), grid, positions, reach);
+  }
+}
+
+std::size_t PairList::memory() const {
+  std::size_t bytes = 0;
+  for (const auto& block : blocks_)
+    bytes += sizeof(std::uint32_t) * (block.first.capacity() + block.neighbours.capacity());
+  return bytes;
+}
+
+template void PairList::build<1>(const CellGrid<1>&, std::span<const Vector<double, 1>>, std::size_t, double);
+template void PairList::build<2>(const CellGrid<2>&, std::span<const Vector<double, 2>>, std::size_t, double);
+template void PairList::build<3>(const CellGrid<3>&, std::span<const Vector<double, 3>>, std::size_t, double);
+
+}  // namespace tektite

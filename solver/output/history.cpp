@@ -1,0 +1,55 @@
+#include "output/history.hpp"
+
+#include <fmt/format.h>
+#include <fmt/os.h>
+
+#include <charconv>
+
+#include "core/error.hpp"
+#include "core/write_beside.hpp"
+
+namespace tektite {
+namespace {
+
+/// The history's lines up to a step, the header included.
+std::string kept_lines(const std::string& path, std::int64_t last_step) {
+  std::ifstream old(path);
+  if (!old) throw InputError({{path, 0}, {}, {}, "the history of the run that is to be resumed cannot be opened", {}});
+  std::string line, kept;
+  for (bool header = true; std::getline(old, line); header = false) {
+    std::int64_t step = 0;
+    const auto read = std::from_chars(line.data(), line.data() + line.size(), step);
+    if (!header && (read.ec != std::errc{} || step > last_step || old.eof())) break;
+    kept += line + '\n';
+  }
+  return kept;
+}
+
+}  // namespace
+
+History::History(const std::string& path, int dimensions, const std::vector<std::string>& probe_columns) : path_(path) {
+  std::string header =
+      "step,time,dt,dt_reason,dt_particle,kinetic_energy,internal_energy,plastic_work,viscous_work,total_energy";
+  for (int k = 0; k < dimensions; ++k) header += fmt::format(",momentum_{}", "xyz"[k]);
+  for (const auto& column : probe_columns) header += "," + column;
+  write_text_beside(path, header + '\n');
+  file_.open(path, std::ios::app);
+}
+
+History::History(const std::string& path, std::int64_t last_step) : path_(path) {
+  write_text_beside(path, kept_lines(path, last_step));
+  file_.open(path, std::ios::app);
+}
+
+void History::write(const Row& row) {
+  const auto& ledger = row.ledger;
+  auto line =
+      fmt::format("{},{},{},{},{},{},{},{},{},{}", row.step, row.time, row.dt, row.reason, row.limiting_particle,
+                  ledger.kinetic, ledger.internal, ledger.plastic, ledger.viscous, ledger.total());
+  for (const double component : ledger.momentum) line += fmt::format(",{}", component);
+  for (const double value : row.probes) line += fmt::format(",{}", value);
+  file_ << line << '\n' << std::flush;
+  if (!file_) throw RunError(path_ + ": cannot be written (is the disk full?)");
+}
+
+}  // namespace tektite

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <spdlog/spdlog.h>
+#include <memory>
+#include <string>
+
+namespace tektite {
+
+/// A log that goes to standard output and, with time stamps, to a file; `append` where a run is resumed. Throws
+/// RunError.
+std::shared_ptr<spdlog::logger> open_log(const std::string& path, bool append);
+
+}  // namespace tektite

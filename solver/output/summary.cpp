@@ -1,0 +1,112 @@
+#include "output/summary.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+#include <sys/resource.h>
+
+#include <cmath>
+#include <ctime>
+
+#include "core/version.hpp"
+#include "core/write_beside.hpp"
+#include "output/progress.hpp"
+
+namespace tektite {
+namespace {
+
+double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+std::size_t peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+}
+
+}  // namespace
+
+RunTimer::RunTimer() : wall_(std::chrono::steady_clock::now()), cpu_(processor_seconds()) {}
+
+double RunTimer::wall_seconds() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_).count();
+}
+
+double RunTimer::cpu_seconds() const { return processor_seconds() - cpu_; }
+
+RunSummary summarise(const Simulation& simulation, const RunTimer& timer, bool interrupted) {
+  RunSummary summary;
+  const auto& particles = simulation.particles();
+  summary.scheme = simulation.settings().scheme.type;
+  summary.particles = particles.count();
+  summary.steps = simulation.steps();
+  summary.time = simulation.time();
+  summary.contact_time = simulation.contact_time();
+  summary.threads = omp_get_max_threads();
+  summary.wall_seconds = timer.wall_seconds();
+  summary.cpu_seconds = timer.cpu_seconds();
+  double computing = 0.0;
+  for (const auto& [name, seconds] : simulation.profile().seconds()) computing += seconds;
+  summary.particle_steps_per_second =
+      static_cast<double>(simulation.steps_taken()) * static_cast<double>(particles.count()) / computing;
+  summary.peak_memory_bytes = peak_memory();
+  summary.bytes_per_particle = (particles.memory() + simulation.scheme().memory()) / particles.count();
+  const auto ledger = simulation.scheme().ledger();
+  summary.energy_drift = simulation.energy_drift(ledger);
+  summary.momentum_drift = simulation.momentum_drift(ledger);
+  summary.interrupted = interrupted;
+  return summary;
+}
+
+void write_summary(const RunSummary& s, const std::string& path) {
+  const auto contact = s.contact_time ? fmt::format("  \"contact_time\": {},\n", *s.contact_time) : std::string();
+  write_text_beside(
+      path, fmt::format("{{\n  \"version\": \"{}\",\n  \"scheme\": \"{}\",\n  \"particles\": {},\n  \"steps\": {},\n"
+                        "  \"time\": {},\n{}  \"threads\": {},\n  \"wall_seconds\": {},\n  \"cpu_seconds\": {},\n"
+                        "  \"particle_steps_per_second\": {},\n  \"peak_memory_bytes\": {},\n"
+                        "  \"bytes_per_particle\": {},\n  \"energy_drift\": {},\n  \"momentum_drift\": {},\n"
+                        "  \"interrupted\": {}\n}}\n",
+                        version, s.scheme, s.particles, s.steps, s.time, contact, s.threads, s.wall_seconds,
+                        s.cpu_seconds, s.particle_steps_per_second, s.peak_memory_bytes, s.bytes_per_particle,
+                        s.energy_drift, s.momentum_drift, s.interrupted));
+}
+
+void log_summary(const RunSummary& s, const Profile& profile, spdlog::logger& log) {
+  log.info("{} steps to t = {} in {:.1f} s ({:.1f} s of processor time)", s.steps, shown_time(s.time), s.wall_seconds,
+           s.cpu_seconds);
+  log.info("  {:.2f} million particle-steps per second on {} threads, {} bytes a particle, peak memory {:.0f} MB",
+           1e-6 * s.particle_steps_per_second, s.threads, s.bytes_per_particle,
+           1e-6 * static_cast<double>(s.peak_memory_bytes));
+  log.info("  energy drift {:+.3e}, momentum drift {:.1e}", s.energy_drift, s.momentum_drift);
+  double all = 0.0;
+  for (const auto& [name, seconds] : profile.seconds()) all += seconds;
+  for (const auto& [name, seconds] : profile.seconds())
+    log.info("  {:<12} {:7.2f} s  {:4.1f} %", name, seconds, 100.0 * seconds / all);
+}
+
+void print_forecast(Simulation& simulation) {
+  const auto& settings = simulation.settings();
+  const auto& particles = simulation.particles();
+  fmt::print("scheme {} in {}, kernel {}, h/δ = {:g}\n", settings.scheme.type, name_of(settings.scene.space),
+             settings.scheme.kernel, settings.scene.smoothing_ratio);
+  for (const auto& [name, material] : settings.materials) {
+    const auto eos = std::visit([](const auto& model) { return model.name; }, material.eos);
+    const auto strength = std::visit([](const auto& model) { return model.name; }, material.strength);
+    fmt::print("material {}: density {:g} kg/m3, equation of state {}, strength {}\n", name, material.density, eos,
+               strength);
+  }
+  for (const auto& plane : settings.scene.symmetry)
+    fmt::print("symmetry plane {} = {:g} m\n", "xyz"[plane.axis], plane.at);
+  const RunTimer timer;
+  constexpr int steps = 5;
+  for (int k = 0; k < steps && !simulation.finished(); ++k) simulation.step();
+  const double dt = simulation.last_step().dt;
+  const double expected = settings.end / dt;
+  fmt::print("until {}{}: about {:.0f} steps of {} ({}), more if shocks shorten them\n", shown_time(settings.end),
+             settings.from_contact ? " after contact" : "", std::ceil(expected), shown_time(dt),
+             name_of(simulation.last_step().reason));
+  const double memory = static_cast<double>(particles.memory() + simulation.scheme().memory());
+  fmt::print("about {} on {} threads, {:.0f} MB\n",
+             shown_clock(expected * timer.wall_seconds() / static_cast<double>(simulation.steps())),
+             omp_get_max_threads(), std::ceil(1e-6 * memory));
+}
+
+}  // namespace tektite

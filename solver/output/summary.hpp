@@ -1,0 +1,48 @@
+#pragma once
+// What a run tells about itself when it is over: solve.json, the last lines of the log, and the forecast of `check`.
+
+#include <spdlog/spdlog.h>
+#include <chrono>
+#include <optional>
+#include <string>
+
+#include "output/profile.hpp"
+#include "run/simulation.hpp"
+
+namespace tektite {
+
+/// Wall and processor time since it was made.
+class RunTimer {
+ public:
+  RunTimer();
+  double wall_seconds() const;
+  double cpu_seconds() const;
+
+ private:
+  std::chrono::steady_clock::time_point wall_;
+  double cpu_;
+};
+
+struct RunSummary {
+  std::string scheme;
+  std::size_t particles = 0;
+  std::int64_t steps = 0;
+  double time = 0.0;
+  std::optional<double> contact_time;
+  int threads = 0;
+  double wall_seconds = 0.0, cpu_seconds = 0.0;
+  double particle_steps_per_second = 0.0;
+  std::size_t peak_memory_bytes = 0;
+  std::size_t bytes_per_particle = 0;  ///< fields, lists and records
+  double energy_drift = 0.0, momentum_drift = 0.0;
+  bool interrupted = false;
+};
+
+RunSummary summarise(const Simulation& simulation, const RunTimer& timer, bool interrupted);
+void write_summary(const RunSummary& summary, const std::string& path);
+void log_summary(const RunSummary& summary, const Profile& profile, spdlog::logger& log);
+
+/// Takes a few steps and says in words what the run would do, how long it would take and how much memory it needs.
+void print_forecast(Simulation& simulation);
+
+}  // namespace tektite

@@ -1,0 +1,29 @@
+#pragma once
+// Reductions whose order does not depend on the number of threads: parts of fixed size, then the parts one by one.
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace tektite {
+
+/// Folds `body(value, i)` over 0 ≤ i < count. `Value` starts as `start` in every part and is joined by
+/// `join(whole, part)`.
+template <class Value, class Body, class Join>
+Value reduce(std::size_t count, const Value& start, const Body& body, const Join& join) {
+  constexpr std::size_t part_size = 4096;
+  const std::size_t parts = (count + part_size - 1) / part_size;
+  std::vector<Value> values(parts, start);
+#pragma omp parallel for schedule(static)
+  for (std::size_t part = 0; part < parts; ++part) {
+    Value value = start;
+    const std::size_t end = std::min(count, (part + 1) * part_size);
+    for (std::size_t i = part * part_size; i < end; ++i) body(value, i);
+    values[part] = value;
+  }
+  Value whole = start;
+  for (const auto& value : values) join(whole, value);
+  return whole;
+}
+
+}  // namespace tektite

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "passes/across.hpp"
+#include "physics/strength/advance_deviator.hpp"
+
+namespace tektite {
+
+/// The deviatoric stress of a material's particles in the middle of a step, for the forces only: nothing is kept of the
+/// plastic flow on the way there.
+template <class Strength, int D, bool plane_stress>
+struct PredictStrength {
+  Strength strength;
+  const Tensor<double, D>* velocity_gradient;
+  const double* across_rate;
+  const double* density;
+  const Symmetric<double, D>* stress;
+  const double* plastic_strain;
+  const double* temperature;
+  double half_step;
+  Symmetric<double, D>* half_stress;
+
+  void operator()(std::size_t i) const {
+    DeviatorState<D> state{stress[i], 0.0, 0.0, 0.0};
+    if constexpr (Strength::kind.yields) state.plastic_strain = plastic_strain[i];
+    if constexpr (Strength::kind.heats) state.temperature = temperature[i];
+    advance_deviator(strength, velocity_gradient[i], across<plane_stress>(across_rate, i), density[i], half_step,
+                     state);
+    half_stress[i] = state.stress;
+  }
+};
+
+/// The deviatoric stress and what plastic flow leaves behind, at the end of a step.
+template <class Strength, int D, bool plane_stress>
+struct AdvanceStrength {
+  Strength strength;
+  const Tensor<double, D>* velocity_gradient;
+  const double* across_rate;
+  const double* density;
+  double step;
+  Symmetric<double, D>* stress;
+  double* plastic_strain;
+  double* plastic_work;
+  double* temperature;
+
+  void operator()(std::size_t i) const {
+    DeviatorState<D> state{stress[i], 0.0, 0.0, 0.0};
+    if constexpr (Strength::kind.yields) {
+      state.plastic_strain = plastic_strain[i];
+      state.plastic_work = plastic_work[i];
+    }
+    if constexpr (Strength::kind.heats) state.temperature = temperature[i];
+    advance_deviator(strength, velocity_gradient[i], across<plane_stress>(across_rate, i), density[i], step, state);
+    stress[i] = state.stress;
+    if constexpr (Strength::kind.yields) {
+      plastic_strain[i] = state.plastic_strain;
+      plastic_work[i] = state.plastic_work;
+    }
+    if constexpr (Strength::kind.heats) temperature[i] = state.temperature;
+  }
+};
+
+}  // namespace tektite

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/pack.hpp"
+#include "core/tensor.hpp"
+#include "passes/eulerian_record.hpp"
+
+namespace tektite {
+
+/// The sums over neighbours of Young et al. (2021), eq. 1, with plain kernels, where ∇_b W_ba = -∇_a W_ab:
+///   L_a  = Σ V_b (v_b - v_a) ⊗ ∇W                        dρ/dt = -ρ tr L, stress power σ_a : L_a / ρ_a
+///   a_a  = Σ (V_a V_b / m_a) (σ_a + σ_b) ∇W - Σ m_b Π ∇W
+///   q_a  = Σ ½ m_b Π v_ab · ∇W                            viscous heating
+/// with V_a/m_a = 1/ρ_a and m_b = V_b ρ_b.
+template <class Kernel, class Smoothing, class Viscosity, int D>
+struct EulerianRates {
+  using Record = EulerianRecord<D>;
+
+  const Record* records;
+  Smoothing smoothing;
+  Viscosity viscosity;
+  Vector<double, D>* acceleration;
+  Tensor<double, D>* velocity_gradient;
+  double* viscous_power;   ///< q in W/kg
+  double* viscous_signal;  ///< largest |μ| in m/s
+
+  struct Self {
+    Vector<Pack, D> x, v;
+    Pack stress[Record::stresses];
+    Pack density, sound_speed, h;
+  };
+  struct Sums {
+    Vector<Pack, D> force = Vector<Pack, D>::zero();    ///< Σ V_b (σ_a + σ_b) ∇W
+    Vector<Pack, D> viscous = Vector<Pack, D>::zero();  ///< Σ m_b Π ∇W
+    Tensor<Pack, D> gradient = Tensor<Pack, D>::zero();
+    Pack heat = 0.0;
+    Pack signal = 0.0;
+  };
+
+  Self begin(std::size_t i) const {
+    const Record& r = records[i];
+    Self a;
+    for (int k = 0; k < D; ++k) {
+      a.x[k] = r.x[k];
+      a.v[k] = r.v[k];
+    }
+    for (int k = 0; k < Record::stresses; ++k) a.stress[k] = r.stress[k];
+    a.density = r.density;
+    a.sound_speed = r.sound_speed;
+    a.h = r.smoothing_length;
+    return a;
+  }
+
+  void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
+    const Record* b[pack_width];
+    for (std::size_t k = 0; k < pack_width; ++k) b[k] = records + j[k];
+    const auto gather = [&](auto member) { return Pack([&](auto lane) { return member(*b[lane]); }); };
+
+    Vector<Pack, D> x, v;  // x_ab, v_ab
+    for (int k = 0; k < D; ++k) {
+      x[k] = a.x[k] - gather([k](const Record& r) { return r.x[k]; });
+      v[k] = a.v[k] - gather([k](const Record& r) { return r.v[k]; });
+    }
+    const Pack h = smoothing.of_pair(a.h, gather([](const Record& r) { return r.smoothing_length; }));
+    const Pack one_over_h = smoothing.inverse_of(h);
+    const Pack r_squared = dot(x, x);
+    using std::experimental::sqrt;
+    const Pack q = sqrt(r_squared) * one_over_h;
+    Pack scale = one_over_h * one_over_h;
+    for (int k = 0; k < D; ++k) scale *= one_over_h;
+    const Pack slope = select(q < Pack(Kernel::support),
+                              Pack(Kernel::template normalisation<D>()) * scale * Kernel::slope_over_q(q), Pack(0.0));
+
+    const Pack density = gather([](const Record& r) { return r.density; });
+    const Pack weight = gather([](const Record& r) { return r.volume; }) * slope;  // V_b ∇W = weight x_ab
+    const Pack approach = dot(v, x);
+    const Pack c = Pack(0.5) * (a.sound_speed + gather([](const Record& r) { return r.sound_speed; }));
+    const auto [pi, speed] = viscosity(approach, r_squared, h, c, Pack(0.5) * (a.density + density));
+    const Pack damping = weight * density * select(q < Pack(Kernel::support), pi, Pack(0.0));
+
+    Pack stress[Record::stresses];
+    for (int k = 0; k < Record::stresses; ++k)
+      stress[k] = weight * (a.stress[k] + gather([k](const Record& r) { return r.stress[k]; }));
+    for (int i = 0; i < D; ++i) {
+      for (int k = 0; k < D; ++k) sums.force[i] += stress[Record::index(i, k)] * x[k];
+      sums.viscous[i] += damping * x[i];
+      const Pack across = weight * v[i];
+      for (int k = 0; k < D; ++k) sums.gradient(i, k) -= across * x[k];
+    }
+    sums.heat += damping * approach;
+    sums.signal = larger(sums.signal, select(q < Pack(Kernel::support), speed, Pack(0.0)));
+  }
+
+  void end(std::size_t i, const Sums& sums) const {
+    const double one_over_density = 1.0 / records[i].density;
+    for (int k = 0; k < D; ++k) acceleration[i][k] = one_over_density * sum(sums.force[k]) - sum(sums.viscous[k]);
+    for (int k = 0; k < D * D; ++k) velocity_gradient[i].c[k] = sum(sums.gradient.c[k]);
+    viscous_power[i] = 0.5 * sum(sums.heat);
+    viscous_signal[i] = largest(sums.signal);
+  }
+};
+
+}  // namespace tektite

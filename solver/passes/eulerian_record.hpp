@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/tensor.hpp"
+
+namespace tektite {
+
+/// What an Eulerian pair needs to know of a particle, in one piece of memory, at the middle of a step. In plane stress
+/// the numbers are those of the membrane: per area, so that density, stress and volume carry the thickness.
+template <int D>
+struct EulerianRecord {
+  static constexpr int stresses = D * (D + 1) / 2;
+
+  Vector<double, D> x;      ///< m
+  Vector<double, D> v;      ///< m/s
+  double stress[stresses];  ///< σ within the space: xx (yy (zz)) (xy (yz zx)), Pa
+  double volume;            ///< V
+  double density;           ///< ρ
+  double sound_speed;       ///< c, bulk
+  double smoothing_length;  ///< h
+
+  /// Index of σ_ij in `stress`.
+  static constexpr int index(int i, int j) {
+    if (D == 1 || i == j) return D == 1 ? 0 : i;
+    return D == 2 ? 2 : (i + j == 1 ? 3 : (i + j == 3 ? 4 : 5));
+  }
+
+  /// Reflects the record at the plane x_axis = at.
+  void mirror(int axis, double at) {
+    x[axis] = 2.0 * at - x[axis];
+    v[axis] = -v[axis];
+    for (int k = 0; k < D; ++k)
+      if (k != axis) stress[index(axis, k)] = -stress[index(axis, k)];
+  }
+};
+
+}  // namespace tektite

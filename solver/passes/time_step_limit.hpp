@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+
+#include "core/tensor.hpp"
+
+namespace tektite {
+
+/// Which criterion limits a time step.
+enum class StepLimit { sound, viscosity, acceleration, growth, end };
+
+constexpr const char* name_of(StepLimit limit) {
+  switch (limit) {
+    case StepLimit::sound:
+      return "sound";
+    case StepLimit::viscosity:
+      return "viscosity";
+    case StepLimit::acceleration:
+      return "acceleration";
+    case StepLimit::growth:
+      return "growth";
+    case StepLimit::end:
+      return "end";
+  }
+  return "";
+}
+
+/// The stable time step of a particle and what sets it (Monaghan 1992):
+///   C h / (c_l + 0.6 (α c + β |μ|max))   and   C √(h/|a|)
+template <int D>
+struct TimeStepLimit {
+  struct Least {
+    double dt;
+    std::size_t particle = 0;
+    StepLimit reason = StepLimit::sound;
+  };
+
+  double courant;
+  double alpha;
+  double beta;
+  const double* smoothing_length;
+  const double* wave_speed;
+  const double* sound_speed;
+  const double* viscous_signal;
+  const double* density;
+  const Vector<double, D>* acceleration;
+
+  /// Where anything is not a number, or a density not positive, the limit is zero: the run has to stop there.
+  void operator()(Least& least, std::size_t i) const {
+    const double h = smoothing_length[i];
+    const double viscous = 0.6 * (alpha * sound_speed[i] + beta * viscous_signal[i]);
+    const double signal = courant * h / (wave_speed[i] + viscous);
+    const double force = courant * std::sqrt(h / norm(acceleration[i]));
+    const bool sane = density[i] > 0.0 && signal > 0.0 && force > 0.0;
+    const double dt = sane ? (signal < force ? signal : force) : 0.0;
+    if (dt < least.dt) {
+      const auto reason = viscous > wave_speed[i] ? StepLimit::viscosity : StepLimit::sound;
+      least = {dt, i, signal < force ? reason : StepLimit::acceleration};
+    }
+  }
+  static void join(Least& whole, const Least& part) {
+    if (part.dt < whole.dt) whole = part;
+  }
+};
+
+}  // namespace tektite

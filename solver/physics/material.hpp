@@ -1,0 +1,39 @@
+#pragma once
+// A material of a scene: what [material.NAME] says.
+
+#include <map>
+#include <string>
+
+#include "core/scene.hpp"
+#include "physics/eos/eos.hpp"
+#include "physics/strength/strength.hpp"
+
+namespace tektite {
+
+struct Material {
+  std::string name;
+  double density = 0.0;  ///< ρ0 in kg/m³
+  Eos eos;
+  Strength strength;
+};
+
+/// Reads every [material.NAME]; throws InputError.
+inline std::map<std::string, Material> read_materials(Section& root) {
+  std::map<std::string, Material> materials;
+  for (auto& [name, section] : root.named_sections("material")) {
+    Material material{name, section.quantity("density", dimension::density, limits::positive), {}, {}};
+    auto eos = section.section("eos");
+    material.eos = Family<Eos>::read(eos);
+    std::visit([&](auto& model) { model.reference_density = material.density; }, material.eos);
+    auto strength = section.section_or_empty("strength");
+    if (!strength.has("model")) strength.choice("model", Family<Strength>::names(), std::string(NoStrength::name));
+    material.strength = Family<Strength>::read(strength);
+    leave_others(section, Stage::solve);
+    section.finish();
+    materials[name] = material;
+  }
+  if (materials.empty()) throw root.fault("", "the scene has no material", "[material.NAME]");
+  return materials;
+}
+
+}  // namespace tektite

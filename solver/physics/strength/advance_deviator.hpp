@@ -1,0 +1,125 @@
+#pragma once
+// One step of the deviatoric stress: Jaumann rate, elastic trial, radial return (Wilkins 1964). The spin turns the
+// stress by Cayley's orthogonal matrix (Hughes and Winget 1980), so a rigid rotation leaves its invariants as they are
+// to round-off however large the step.
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/tensor.hpp"
+#include "physics/strength/flow.hpp"
+
+namespace tektite {
+
+template <int D>
+struct DeviatorState {
+  Symmetric<double, D> stress;  ///< s in Pa
+  double plastic_strain = 0.0;
+  double plastic_work = 0.0;  ///< J/kg
+  double temperature = 0.0;   ///< K
+};
+
+/// R s Rᵀ for the rotation that the spin W = (L - Lᵀ)/2 makes in dt.
+template <int D>
+Symmetric<double, D> rotated(const Symmetric<double, D>& s, const Tensor<double, D>& l, double dt) {
+  if constexpr (D == 1) {
+    return s;
+  } else {
+    // a = ω dt/2 with the axial vector ω of W; R = I + 2/(1 + a·a) ([a]× + [a]×²)
+    double a[3] = {0.0, 0.0, 0.25 * dt * (l(1, 0) - l(0, 1))};
+    if constexpr (D == 3) {
+      a[0] = 0.25 * dt * (l(2, 1) - l(1, 2));
+      a[1] = 0.25 * dt * (l(0, 2) - l(2, 0));
+    }
+    const double square = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
+    const double f = 2.0 / (1.0 + square);
+    double r[D][D];
+    for (int i = 0; i < D; ++i)
+      for (int j = 0; j < D; ++j) r[i][j] = f * a[i] * a[j] + (i == j ? 1.0 - f * square : 0.0);
+    const auto add_cross = [&](int i, int j, double component) {
+      r[i][j] -= f * component;
+      r[j][i] += f * component;
+    };
+    add_cross(0, 1, a[2]);
+    if constexpr (D == 3) {
+      add_cross(1, 2, a[0]);
+      add_cross(2, 0, a[1]);
+    }
+    auto turned = s;
+    for (int i = 0; i < D; ++i)
+      for (int j = i; j < D; ++j) {
+        double sum = 0.0;
+        for (int k = 0; k < D; ++k)
+          for (int m = 0; m < D; ++m) sum += r[i][k] * s(k, m) * r[j][m];
+        turned(i, j) = sum;
+      }
+    return turned;
+  }
+}
+
+/// Plastic strain of a step whose elastic trial has the equivalent stress `trial` above the flow stress: solves
+/// trial - 3 G Δε = Y(ε_p + Δε, Δε/dt, T). The left side falls and the right side does not, so the root is unique; a
+/// bracketed secant (Illinois) finds it to 1e-12 of the trial stress.
+template <class Model>
+double plastic_increment(const Model& model, double trial, const FlowState& before, double dt) {
+  const double stiffness = 3.0 * model.shear_modulus;
+  if constexpr (!Model::kind.hardens) {
+    return (trial - model.flow_stress(before)) / stiffness;
+  } else {
+    const auto excess = [&](double increment) {
+      const FlowState after{before.plastic_strain + increment, increment / dt, before.temperature};
+      return trial - stiffness * increment - model.flow_stress(after);
+    };
+    double low = 0.0, high = trial / stiffness;
+    double above = excess(low), below = excess(high);
+    if (above <= 0.0) return 0.0;
+    constexpr int most = 60;
+    double root = high;
+    int side = 0;
+    for (int k = 0; k < most && below < 0.0; ++k) {
+      root = (low * below - high * above) / (below - above);
+      const double value = excess(root);
+      if (std::abs(value) <= 1e-12 * trial) break;
+      if (value > 0.0) {
+        low = root;
+        above = value;
+        if (side > 0) below *= 0.5;
+        side = 1;
+      } else {
+        high = root;
+        below = value;
+        if (side < 0) above *= 0.5;
+        side = -1;
+      }
+    }
+    return root;
+  }
+}
+
+/// Brings s, plastic strain, plastic work and temperature from t to t + dt under the velocity gradient L of the middle
+/// of the step; `across` is the rate of deformation normal to a plane of plane stress (zero elsewhere).
+template <class Model, int D>
+void advance_deviator(const Model& model, const Tensor<double, D>& l, double across, double density, double dt,
+                      DeviatorState<D>& state) {
+  if constexpr (Model::kind.shears) {
+    auto rate = symmetric_part(l);
+    if constexpr (D == 2) rate.c[2] = across;
+    auto trial = rotated(state.stress, l, dt) + (2.0 * model.shear_modulus * dt) * deviator(rate);
+    if constexpr (Model::kind.yields) {
+      const double equivalent = von_mises(trial);
+      const FlowState flow{state.plastic_strain, 0.0, state.temperature};
+      if (equivalent > model.flow_stress(flow)) {
+        const double increment = plastic_increment(model, equivalent, flow, dt);
+        const double strength = equivalent - 3.0 * model.shear_modulus * increment;
+        trial = (strength / equivalent) * trial;
+        const double work = strength * increment / density;
+        state.plastic_strain += increment;
+        state.plastic_work += work;
+        if constexpr (Model::kind.heats) state.temperature += model.taylor_quinney * work / model.specific_heat;
+      }
+    }
+    state.stress = trial;
+  }
+}
+
+}  // namespace tektite

@@ -1,0 +1,20 @@
+#pragma once
+
+namespace tektite {
+
+/// What a strength model does; decides which fields a material needs and which branches its formulas have.
+struct StrengthKind {
+  bool shears;   ///< carries deviatoric stress
+  bool yields;   ///< has a flow stress
+  bool hardens;  ///< its flow stress depends on the plastic strain or its rate
+  bool heats;    ///< has a temperature that plastic work raises
+};
+
+/// What a flow stress may depend on.
+struct FlowState {
+  double plastic_strain = 0.0;
+  double plastic_strain_rate = 0.0;  ///< 1/s
+  double temperature = 0.0;          ///< K
+};
+
+}  // namespace tektite

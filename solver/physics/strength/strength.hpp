@@ -1,0 +1,16 @@
+#pragma once
+// Strength: how the deviatoric stress answers to shear. A model gives its shear modulus G and, where it yields, the
+// flow stress Y(plastic strain, plastic strain rate, temperature); advance_deviator.hpp does the rest.
+
+#include <variant>
+
+#include "physics/strength/elastic.hpp"
+#include "physics/strength/johnson_cook.hpp"
+#include "physics/strength/no_strength.hpp"
+#include "physics/strength/perfectly_plastic.hpp"
+
+namespace tektite {
+
+using Strength = std::variant<NoStrength, Elastic, PerfectlyPlastic, JohnsonCook>;
+
+}  // namespace tektite

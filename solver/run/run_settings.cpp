@@ -1,0 +1,84 @@
+#include "run/run_settings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace tektite {
+namespace {
+
+std::vector<std::string> field_names() {
+  std::vector<std::string> names;
+  for (const auto& row : field_table)
+    if (row.keep == Keep::result && row.rank != Rank::integer) names.emplace_back(row.name);
+  return names;
+}
+
+std::vector<Probe> read_probes(Section& root, const Scene& scene) {
+  std::vector<Probe> probes;
+  for (auto& [name, section] : root.named_sections("probe")) {
+    Probe probe{name, section.text("body"), {}, {}};
+    probe.position =
+        section.quantities("position", dimension::length, static_cast<std::size_t>(dimensions_of(scene.space)));
+    const auto known = field_names();
+    for (const auto& field : section.texts("fields", {"pressure", "velocity"})) {
+      if (std::find(known.begin(), known.end(), field) == known.end())
+        throw section.fault("fields", fmt::format("unknown field \"{}\"", field), join(known));
+      probe.fields.push_back(*field_named(field));
+    }
+    section.finish();
+    probes.push_back(probe);
+  }
+  return probes;
+}
+
+}  // namespace
+
+RunSettings read_run_settings(Document& document) {
+  RunSettings settings;
+  auto root = document.root();
+  settings.scene = read_scene(root, Stage::solve);
+  settings.scheme = read_scheme(root, settings.scene);
+  settings.materials = read_materials(root);
+
+  auto time = root.section("time");
+  settings.end = time.quantity("end", dimension::time, limits::positive);
+  const std::array<std::string, 2> starts{"start", "contact"};
+  settings.from_contact = time.choice("from", starts, "start") == "contact";
+  time.finish();
+
+  auto output = root.section_or_empty("output");
+  settings.snapshot_interval = output.quantity("snapshots", dimension::time, limits::positive, settings.end / 10.0);
+  settings.history_interval = output.integer("history", {1.0, 1e9}, 1);
+  output.finish();
+
+  settings.probes = read_probes(root, settings.scene);
+  const auto bodies = root.named_sections("body");
+  for (const auto& probe : settings.probes)
+    if (std::none_of(bodies.begin(), bodies.end(), [&](const auto& body) { return body.first == probe.body; })) {
+      std::vector<std::string> known;
+      for (const auto& body : bodies) known.push_back(body.first);
+      throw root.section("probe").section(probe.name).fault("body", "there is no such body", join(known));
+    }
+  for (auto [name, body] : bodies) {
+    const auto material = body.text("material");
+    if (!settings.materials.contains(material)) {
+      std::vector<std::string> known;
+      for (const auto& entry : settings.materials) known.push_back(entry.first);
+      throw body.fault("material", "there is no such material", join(known));
+    }
+  }
+  root.finish();
+  return settings;
+}
+
+void check_bodies(const RunSettings& settings, const Particles& particles, const std::string& file) {
+  if (particles.space() != settings.scene.space)
+    throw InputError({{file, 0}, "space", {}, "the particles live in another space than the scene", {}});
+  for (const auto& body : particles.bodies())
+    if (!settings.materials.contains(body.material))
+      throw InputError({{file, 0}, "/bodies/" + body.name, body.material, "the scene has no such material", {}});
+}
+
+}  // namespace tektite

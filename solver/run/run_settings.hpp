@@ -1,0 +1,37 @@
+#pragma once
+// What a scene says about a run beside its physics: how long, what to write, where to look.
+
+#include <string>
+#include <vector>
+
+#include "core/fields.hpp"
+#include "core/scene.hpp"
+#include "schemes/scheme.hpp"
+
+namespace tektite {
+
+struct Probe {
+  std::string name;
+  std::string body;
+  std::vector<double> position;  ///< m, in the initial state; the nearest particle of the body is followed
+  std::vector<Field> fields;
+};
+
+struct RunSettings {
+  Scene scene;
+  SchemeSettings scheme;
+  std::map<std::string, Material> materials;
+  double end = 0.0;                   ///< s
+  bool from_contact = false;          ///< whether `end` counts from the first contact of two bodies
+  double snapshot_interval = 0.0;     ///< s
+  std::int64_t history_interval = 1;  ///< steps
+  std::vector<Probe> probes;
+};
+
+/// Reads what the solver owns of a scene; afterwards `document` holds the effective values. Throws InputError.
+RunSettings read_run_settings(Document& document);
+
+/// Whether the bodies of a particle file and the materials of its scene fit together; throws InputError.
+void check_bodies(const RunSettings& settings, const Particles& particles, const std::string& file);
+
+}  // namespace tektite

@@ -1,0 +1,148 @@
+#include "run/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "output/progress.hpp"
+
+namespace tektite {
+namespace {
+
+/// A time step may grow by this factor from one step to the next; it may fall at once.
+constexpr double growth = 1.1;
+
+/// A run whose time step has fallen to this part of its first one does not come to an end any more.
+constexpr double collapse = 1e-6;
+
+}  // namespace
+
+Simulation::Simulation(Snapshot snapshot, RunSettings settings, bool resumed)
+    : snapshot_(std::move(snapshot)), settings_(std::move(settings)) {
+  auto& particles = snapshot_.particles;
+  const auto& state = snapshot_.state;
+  scheme_ = make_scheme({particles, profile_, settings_.materials, settings_.scheme, settings_.scene.symmetry});
+  time_ = state.at("time");
+  if (resumed) {
+    steps_ = static_cast<std::int64_t>(state.at("step"));
+    first_step_number_ = steps_;
+    last_.dt = state.at("dt");
+    first_step_ = state.at("first_step");
+    if (state.contains("contact_time")) contact_time_ = state.at("contact_time");
+    initial_energy_ = state.at("initial_energy");
+    momentum_scale_ = state.at("momentum_scale");
+    for (int k = 0; k < particles.dimensions(); ++k)
+      initial_momentum_.push_back(state.at(fmt::format("initial_momentum_{}", "xyz"[k])));
+    scheme_->restore(state);
+    return;
+  }
+  scheme_->start();
+  const auto ledger = scheme_->ledger();
+  initial_energy_ = ledger.total();
+  initial_momentum_ = ledger.momentum;
+  const auto mass = particles.reals(Field::mass);
+  momentum_scale_ = std::sqrt(2.0 * std::accumulate(mass.begin(), mass.end(), 0.0) * ledger.kinetic);
+  look_for_contact();
+}
+
+double Simulation::end() const {
+  if (!settings_.from_contact) return settings_.end;
+  return contact_time_ ? *contact_time_ + settings_.end : std::numeric_limits<double>::infinity();
+}
+
+TimeStep Simulation::choose_step() const {
+  auto choice = scheme_->stable_step();
+  if (!(choice.dt > 0.0))
+    throw RunError(
+        fmt::format("step {}, t = {}: the state is no longer sane (a density that is not positive, a sound "
+                    "speed that is not real, or a number that is not finite)\n{}",
+                    steps_, shown_time(time_), describe(choice.particle)));
+  if (last_.dt > 0.0 && choice.dt > growth * last_.dt) {
+    choice.dt = growth * last_.dt;
+    choice.reason = StepLimit::growth;
+  }
+  if (choice.dt < collapse * first_step_)
+    throw RunError(fmt::format("step {}, t = {}: the time step has collapsed to {} ({}), {:g} of the first one\n{}",
+                               steps_, shown_time(time_), shown_time(choice.dt), name_of(choice.reason),
+                               choice.dt / first_step_, describe(choice.particle)));
+  if (time_ + choice.dt >= end()) {
+    choice.dt = end() - time_;
+    choice.reason = StepLimit::end;
+  }
+  return choice;
+}
+
+void Simulation::step() {
+  {
+    const auto scope = profile_.time("time step");
+    last_ = choose_step();
+  }
+  if (first_step_ == 0.0) first_step_ = last_.dt;
+  scheme_->step(last_.dt);
+  time_ = last_.reason == StepLimit::end ? end() : time_ + last_.dt;
+  ++steps_;
+  look_for_contact();
+}
+
+void Simulation::look_for_contact() {
+  if (contact_time_ || snapshot_.particles.bodies().size() < 2) return;
+  const auto scope = profile_.time("contact");
+  if (scheme_->in_contact()) {
+    contact_time_ = time_;
+  } else if (settings_.from_contact && time_ >= settings_.end) {
+    throw RunError(
+        fmt::format("t = {}: the run counts from the first contact of two bodies (time.from), but none has come "
+                    "in as long a time as was to be computed after it",
+                    shown_time(time_)));
+  }
+}
+
+double Simulation::energy_drift(const Ledger& now) const {
+  const double change = now.total() - initial_energy_;
+  return initial_energy_ == 0.0 ? change : change / initial_energy_;
+}
+
+double Simulation::momentum_drift(const Ledger& now) const {
+  double square = 0.0;
+  for (std::size_t k = 0; k < initial_momentum_.size(); ++k) {
+    bool symmetric = false;  // a symmetry plane takes up momentum across it
+    for (const auto& plane : settings_.scene.symmetry) symmetric = symmetric || plane.axis == static_cast<int>(k);
+    const double change = now.momentum[k] - initial_momentum_[k];
+    if (!symmetric) square += change * change;
+  }
+  return momentum_scale_ == 0.0 ? std::sqrt(square) : std::sqrt(square) / momentum_scale_;
+}
+
+std::string Simulation::describe(std::size_t i) const {
+  const auto& particles = snapshot_.particles;
+  std::string text = fmt::format("  particle {}", particles.integers(Field::id)[i]);
+  for (const auto& body : particles.bodies())
+    if (i >= body.range.begin && i < body.range.end) text += fmt::format(" of {} ({})", body.name, body.material);
+  for (const auto& row : field_table) {
+    if (!particles.has(row.field) || row.keep == Keep::scratch || row.rank == Rank::integer) continue;
+    const auto width = static_cast<std::size_t>(particles.components(row.field));
+    const auto values = particles.reals(row.field).subspan(i * width, width);
+    text += fmt::format("\n    {} = {:g} {}", row.name, fmt::join(values, " "), row.unit);
+  }
+  return text;
+}
+
+const Snapshot& Simulation::save(const std::map<std::string, double>& others) {
+  auto& state = snapshot_.state;
+  for (const auto& [name, value] : others) state[name] = value;
+  state["time"] = time_;
+  state["step"] = static_cast<double>(steps_);
+  state["dt"] = last_.dt;
+  state["first_step"] = first_step_;
+  if (contact_time_) state["contact_time"] = *contact_time_;
+  state["initial_energy"] = initial_energy_;
+  state["momentum_scale"] = momentum_scale_;
+  for (std::size_t k = 0; k < initial_momentum_.size(); ++k)
+    state[fmt::format("initial_momentum_{}", "xyz"[k])] = initial_momentum_[k];
+  scheme_->save(state);
+  return snapshot_;
+}
+
+}  // namespace tektite

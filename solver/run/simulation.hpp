@@ -1,0 +1,63 @@
+#pragma once
+// The state of a run, and one step of it: which step is taken, why, and when a state is no longer sane.
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/snapshot.hpp"
+#include "run/run_settings.hpp"
+#include "schemes/scheme.hpp"
+
+namespace tektite {
+
+class Simulation {
+ public:
+  /// From initial particles, or from a snapshot that a run left: `resumed` tells which.
+  Simulation(Snapshot snapshot, RunSettings settings, bool resumed);
+
+  /// One step. Throws RunError where the state is not sane or the time step collapses.
+  void step();
+
+  bool finished() const { return time_ >= end(); }
+  double time() const { return time_; }
+  std::int64_t steps() const { return steps_; }
+  /// Steps taken by this process.
+  std::int64_t steps_taken() const { return steps_ - first_step_number_; }
+  /// When the run is over, in s; infinite while the contact that it counts from has not come.
+  double end() const;
+  const TimeStep& last_step() const { return last_; }
+  std::optional<double> contact_time() const { return contact_time_; }
+  double energy_drift(const Ledger& now) const;
+  double momentum_drift(const Ledger& now) const;
+
+  const Particles& particles() const { return snapshot_.particles; }
+  const RunSettings& settings() const { return settings_; }
+  const Scheme& scheme() const { return *scheme_; }
+  const Profile& profile() const { return profile_; }
+
+  /// The state as it can be saved; `state` takes what others want to keep.
+  const Snapshot& save(const std::map<std::string, double>& state);
+
+ private:
+  TimeStep choose_step() const;
+  void look_for_contact();
+  std::string describe(std::size_t particle) const;
+
+  Snapshot snapshot_;
+  RunSettings settings_;
+  Profile profile_;
+  std::unique_ptr<Scheme> scheme_;
+  double time_ = 0.0;
+  std::int64_t steps_ = 0;
+  std::int64_t first_step_number_ = 0;
+  TimeStep last_;
+  double first_step_ = 0.0;
+  std::optional<double> contact_time_;
+  double initial_energy_ = 0.0;
+  double momentum_scale_ = 0.0;
+  std::vector<double> initial_momentum_;
+};
+
+}  // namespace tektite

@@ -1,0 +1,212 @@
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include "neighbours/neighbourhood.hpp"
+#include "parallel/for_each_pair.hpp"
+#include "parallel/reduce.hpp"
+#include "passes/advance_motion.hpp"
+#include "passes/assemble_records.hpp"
+#include "passes/body_contact.hpp"
+#include "passes/energy_sums.hpp"
+#include "passes/eulerian_rates.hpp"
+#include "passes/predict_motion.hpp"
+#include "passes/smoothing.hpp"
+#include "schemes/material_passes.hpp"
+#include "schemes/scheme.hpp"
+
+namespace tektite {
+
+template <Space space, class Kernel>
+class EulerianScheme final : public Scheme {
+  static constexpr int D = dimensions_of(space);
+  static constexpr bool plane_stress = space == Space::plane_stress;
+
+ public:
+  explicit EulerianScheme(const SchemeSetup& setup)
+      : particles_(setup.particles),
+        profile_(setup.profile),
+        settings_(setup.settings),
+        viscosity_(std::get<MonaghanViscosity>(setup.settings.viscosity)),
+        materials_(setup.particles, setup.materials),
+        smoothing_(smallest_and_largest(setup.particles)),
+        neighbourhood_(setup.particles, Kernel::support * smoothing_.second, setup.symmetry) {}
+
+  void start() override {
+    for (const auto field :
+         {Field::pressure, Field::sound_speed, Field::wave_speed, Field::viscous_work, Field::acceleration,
+          Field::velocity_gradient, Field::viscous_power, Field::viscous_signal, Field::search_position})
+      particles_.allocate(field);
+    if (!particles_.has(Field::specific_internal_energy)) particles_.allocate(Field::specific_internal_energy);
+    if constexpr (plane_stress) {
+      particles_.allocate(Field::thickness);
+      std::ranges::fill(particles_.reals(Field::thickness), 1.0);
+    }
+    materials_.start();
+    allocate_scratch();
+    evaluate_state();
+    neighbourhood_.prepare(0.0);
+    evaluate_rates(0.0);
+  }
+
+  void restore(const std::map<std::string, double>& state) override {
+    allocate_scratch();
+    neighbourhood_.restore(state.at("search_reach"));
+  }
+  void save(std::map<std::string, double>& state) const override { state["search_reach"] = neighbourhood_.reach(); }
+
+  void step(double dt) override {
+    search(dt);
+    evaluate_rates(dt);
+    advance(dt);
+    evaluate_state();
+  }
+
+  TimeStep stable_step() const override {
+    const Particles& p = particles_;
+    const TimeStepLimit<D> pass{settings_.courant,
+                                viscosity_.alpha,
+                                viscosity_.beta,
+                                p.scalars(Field::smoothing_length),
+                                p.scalars(Field::wave_speed),
+                                p.scalars(Field::sound_speed),
+                                p.scalars(Field::viscous_signal),
+                                p.scalars(Field::density),
+                                p.vectors<D>(Field::acceleration)};
+    const auto least = reduce(p.count(), typename TimeStepLimit<D>::Least{std::numeric_limits<double>::infinity()},
+                              pass, TimeStepLimit<D>::join);
+    return {least.dt, least.reason, least.particle};
+  }
+
+  Ledger ledger() const override {
+    const Particles& p = particles_;
+    const EnergySums<D> pass{
+        p.scalars(Field::mass), p.vectors<D>(Field::velocity), p.scalars(Field::specific_internal_energy),
+        p.has(Field::plastic_work) ? p.scalars(Field::plastic_work) : nullptr, p.scalars(Field::viscous_work)};
+    const auto sums = reduce(p.count(), typename EnergySums<D>::Sums{}, pass, EnergySums<D>::join);
+    return {sums.kinetic, sums.internal, sums.plastic, sums.viscous, {sums.momentum.c, sums.momentum.c + D}};
+  }
+
+  bool in_contact() const override {
+    return body_contact(neighbourhood_.pairs(), particles_.bodies(), records_, Kernel::support);
+  }
+
+  std::size_t memory() const override {
+    return neighbourhood_.memory() + records_.capacity() * sizeof(EulerianRecord<D>);
+  }
+
+ private:
+  static std::pair<double, double> smallest_and_largest(const Particles& particles) {
+    const auto h = particles.reals(Field::smoothing_length);
+    const auto [least, most] = std::minmax_element(h.begin(), h.end());
+    return {*least, *most};
+  }
+
+  void allocate_scratch() {
+    for (const auto field : {Field::half_density, Field::half_energy, Field::half_pressure, Field::half_sound_speed,
+                             Field::half_deviatoric_stress})
+      particles_.allocate(field);
+    if constexpr (plane_stress) particles_.allocate(Field::across_rate);
+  }
+
+  void search(double dt) {
+    const auto scope = profile_.time("search");
+    neighbourhood_.prepare(dt);
+  }
+
+  /// Accelerations, velocity gradients and heating in the middle of a step.
+  void evaluate_rates(double dt) {
+    predict(0.5 * dt);
+    const auto scope = profile_.time("pairs");
+    if (smoothing_.first == smoothing_.second)
+      sum_over_pairs<UniformSmoothing>();
+    else
+      sum_over_pairs<MeanSmoothing>();
+    neighbourhood_.mirror().hold(particles_.template vectors<D>(Field::acceleration));
+  }
+
+  void predict(double half_step) {
+    const auto scope = profile_.time("predict");
+    auto& p = particles_;
+    records_.resize(p.count() + neighbourhood_.mirror().images());
+    if constexpr (plane_stress) {
+      if (half_step > 0.0) materials_.stretch_across(half_step);
+    }
+    for_each(all(), PredictMotion<D, plane_stress>{
+                        p.template vectors<D>(Field::position), p.template vectors<D>(Field::velocity),
+                        p.template vectors<D>(Field::acceleration), p.template tensors<D>(Field::velocity_gradient),
+                        p.template symmetrics<D>(Field::deviatoric_stress), p.scalars(Field::density),
+                        p.scalars(Field::specific_internal_energy), p.scalars(Field::pressure),
+                        p.scalars(Field::viscous_power), across_rate(), half_step, records_.data(),
+                        p.scalars(Field::half_density), p.scalars(Field::half_energy)});
+    materials_.evaluate_eos(Field::half_density, Field::half_energy, Field::half_pressure, Field::half_sound_speed);
+    materials_.predict_strength(half_step);
+    for_each(all(), AssembleRecords<D, plane_stress>{
+                        p.scalars(Field::mass), p.scalars(Field::half_density), p.scalars(Field::half_pressure),
+                        p.scalars(Field::half_sound_speed), p.template symmetrics<D>(Field::half_deviatoric_stress),
+                        thickness(), across_rate(), half_step, p.scalars(Field::smoothing_length), records_.data()});
+    neighbourhood_.mirror().fill(records_, p.count());
+  }
+
+  template <class Smoothing>
+  void sum_over_pairs() {
+    auto& p = particles_;
+    for_each_pair(neighbourhood_.pairs(),
+                  EulerianRates<Kernel, Smoothing, MonaghanViscosity, D>{
+                      records_.data(), Smoothing(smoothing_.first), viscosity_,
+                      p.template vectors<D>(Field::acceleration), p.template tensors<D>(Field::velocity_gradient),
+                      p.scalars(Field::viscous_power), p.scalars(Field::viscous_signal)});
+  }
+
+  void advance(double dt) {
+    const auto scope = profile_.time("advance");
+    auto& p = particles_;
+    if constexpr (plane_stress) {
+      materials_.stretch_across(dt);
+      for_each(all(), AdvanceThickness{p.scalars(Field::across_rate), dt, p.scalars(Field::thickness)});
+    }
+    for_each(all(), AdvanceMotion<D, plane_stress>{
+                        records_.data(), p.template vectors<D>(Field::acceleration),
+                        p.template tensors<D>(Field::velocity_gradient), p.scalars(Field::viscous_power), across_rate(),
+                        dt, p.template vectors<D>(Field::position), p.template vectors<D>(Field::velocity),
+                        p.scalars(Field::density), p.scalars(Field::specific_internal_energy),
+                        p.scalars(Field::viscous_work)});
+    materials_.advance_strength(dt);
+  }
+
+  /// Pressure and wave speeds at the end of a step.
+  void evaluate_state() {
+    const auto scope = profile_.time("state");
+    materials_.evaluate_eos(Field::density, Field::specific_internal_energy, Field::pressure, Field::sound_speed);
+    materials_.evaluate_wave_speed();
+  }
+
+  Range all() const { return {0, particles_.count()}; }
+  const double* across_rate() { return plane_stress ? particles_.scalars(Field::across_rate) : nullptr; }
+  const double* thickness() { return plane_stress ? particles_.scalars(Field::thickness) : nullptr; }
+
+  Particles& particles_;
+  Profile& profile_;
+  SchemeSettings settings_;
+  MonaghanViscosity viscosity_;
+  MaterialPasses<D, plane_stress> materials_;
+  std::pair<double, double> smoothing_;  ///< smallest and largest h
+  Neighbourhood<D> neighbourhood_;
+  std::vector<EulerianRecord<D>> records_;
+};
+
+/// One space for all kernels; each space is instantiated in a translation unit of its own.
+template <Space space>
+std::unique_ptr<Scheme> make_eulerian_in(const SchemeSetup& setup) {
+  std::unique_ptr<Scheme> scheme;
+  const auto attempt = [&]<class K>(std::type_identity<K>) {
+    if (K::name == setup.settings.kernel) scheme = std::make_unique<EulerianScheme<space, K>>(setup);
+  };
+  attempt(std::type_identity<CubicSpline>{});
+  attempt(std::type_identity<WendlandC2>{});
+  attempt(std::type_identity<TruncatedGaussian>{});
+  return scheme;
+}
+
+}  // namespace tektite

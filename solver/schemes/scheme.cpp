@@ -1,0 +1,51 @@
+#include "schemes/scheme.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "schemes/eulerian.hpp"
+
+namespace tektite {
+namespace {
+
+struct RegisteredScheme {
+  const char* name;
+  std::unique_ptr<Scheme> (*make)(const SchemeSetup&);
+};
+
+constexpr std::array<RegisteredScheme, 1> schemes{{
+    {"eulerian", make_eulerian},
+}};
+
+}  // namespace
+
+std::vector<std::string> scheme_names() {
+  std::vector<std::string> names;
+  for (const auto& scheme : schemes) names.emplace_back(scheme.name);
+  return names;
+}
+
+SchemeSettings read_scheme(Section& root, const Scene& scene) {
+  SchemeSettings settings;
+  auto section = root.section_or_empty("scheme");
+  settings.type = section.choice("type", scheme_names(), "eulerian");
+  settings.courant = section.quantity("courant", dimension::none, {0.0, 1.0, true}, 0.25);
+  section.finish();
+  settings.kernel = scene.kernel;
+  auto smoothing = root.section("smoothing");
+  smoothing.choice("kernel", Family<Kernel>::names());
+  auto viscosity = root.section_or_empty("viscosity");
+  const auto names = Family<Viscosity>::names();
+  viscosity.choice("model", names, names.front());
+  settings.viscosity = Family<Viscosity>::read(viscosity);
+  return settings;
+}
+
+std::unique_ptr<Scheme> make_scheme(const SchemeSetup& setup) {
+  for (const auto& scheme : schemes)
+    if (scheme.name == setup.settings.type) return scheme.make(setup);
+  throw InputError(fmt::format("unknown scheme \"{}\"", setup.settings.type));
+}
+
+}  // namespace tektite

@@ -1,0 +1,76 @@
+#pragma once
+// What the run needs of a scheme: bring the particles from t to t + dt, and say how large dt may be.
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/particles.hpp"
+#include "core/scene.hpp"
+#include "output/profile.hpp"
+#include "passes/time_step_limit.hpp"
+#include "physics/kernels/kernel.hpp"
+#include "physics/material.hpp"
+#include "physics/viscosity/viscosity.hpp"
+
+namespace tektite {
+
+struct SchemeSettings {
+  std::string type;      ///< name in the registry
+  double courant = 0.0;  ///< C in the time step limits
+  std::string kernel;
+  Viscosity viscosity;
+};
+
+/// Everything that a scheme is built from. The particles outlive the scheme.
+struct SchemeSetup {
+  Particles& particles;
+  Profile& profile;
+  const std::map<std::string, Material>& materials;
+  SchemeSettings settings;
+  std::vector<SymmetryPlane> symmetry;
+};
+
+struct TimeStep {
+  double dt = 0.0;
+  StepLimit reason = StepLimit::end;
+  std::size_t particle = 0;  ///< index of the particle that sets it
+};
+
+struct Ledger {
+  double kinetic = 0.0, internal = 0.0, plastic = 0.0, viscous = 0.0;  ///< J
+  std::vector<double> momentum;                                        ///< kg m/s
+  double total() const { return kinetic + internal; }
+};
+
+class Scheme {
+ public:
+  virtual ~Scheme() = default;
+
+  /// From initial particles: fills every field that the scheme keeps, rates included.
+  virtual void start() = 0;
+  /// From saved particles: `state` is what save() put there.
+  virtual void restore(const std::map<std::string, double>& state) = 0;
+  virtual void save(std::map<std::string, double>& state) const = 0;
+
+  virtual void step(double dt) = 0;
+  /// The largest stable time step; zero where the state is not sane, with the particle.
+  virtual TimeStep stable_step() const = 0;
+  virtual Ledger ledger() const = 0;
+  /// Whether particles of different bodies act on each other.
+  virtual bool in_contact() const = 0;
+  /// Bytes that the scheme holds beside the fields.
+  virtual std::size_t memory() const = 0;
+};
+
+/// Names of all schemes.
+std::vector<std::string> scheme_names();
+
+/// Reads the solver's tables [scheme], [viscosity] of a scene.
+SchemeSettings read_scheme(Section& root, const Scene& scene);
+
+/// Throws InputError where the scheme does not support the space.
+std::unique_ptr<Scheme> make_scheme(const SchemeSetup& setup);
+
+}  // namespace tektite
