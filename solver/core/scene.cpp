@@ -64,7 +64,6 @@ Scene read_scene(Section& root, Stage stage) {
       std::string::npos)
     throw root.fault("name", "names files, so it must be plain", "letters, digits, _ and -");
   scene.title = root.text("title", scene.name);
-  scene.variant = root.text("variant", "");
   const auto space = root.choice("space", space_choices());
   for (const auto& entry : space_names)
     if (entry.name == space) scene.space = entry.space;

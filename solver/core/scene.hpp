@@ -23,7 +23,6 @@ struct SymmetryPlane {
 struct Scene {
   std::string name;
   std::string title;
-  std::string variant;  ///< that was laid over the scene file; empty where none was
   Space space = Space::line;
   double smoothing_ratio = 0.0;  ///< h/δ
   std::string kernel;
