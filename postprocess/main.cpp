@@ -16,7 +16,7 @@ int run(int argc, const char* const* argv) {
   line.options.add_options()("check", "validate the measures and pictures of a scene file; computes nothing")(
       "output,o", po::value(&options.output), "folder to write to instead of the run's")(
       "scene", po::value(&options.scene), "take measures and pictures from this scene file")(
-      "variant", po::value(&options.variant), "variant of the scene, which also picks the references")(
+      "variant", po::value(&options.variant), "variant of that scene file, or of the run, which picks the references")(
       "set", po::value(&options.settings)->composing(), "KEY=VALUE laid over the scene file")(
       "reference", po::value(&options.reference), "file of published values to compare with")(
       "no-pictures", "numbers and ParaView files only");

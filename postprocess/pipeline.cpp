@@ -67,11 +67,10 @@ void postprocess(const PostprocessOptions& options) {
 
   Report report;
   report.scene = plan.scene.name;
-  report.variant = options.variant;
+  report.variant = options.variant.empty() ? document.variant() : options.variant;
   report.time = last.time();
   report.particles = last.particles.count();
-  if (!options.reference.empty())
-    report.references = read_references(options.reference, options.variant, plan.measures);
+  if (!options.reference.empty()) report.references = read_references(options.reference, report.variant, plan.measures);
 
   export_snapshots(run, plan.scene.name);
   const auto event = make_event(run, plan.scene, std::move(last));

@@ -10,7 +10,7 @@ struct PostprocessOptions {
   std::string run;                    ///< the folder of a run, or one particle file
   std::string output;                 ///< where results go; the run's folder where it is empty
   std::string scene;                  ///< a scene file with other measures and pictures; empty: that of the run
-  std::string variant;                ///< of the scene and the references
+  std::string variant;                ///< of that scene file; picks the references. Empty: that of the run
   std::vector<std::string> settings;  ///< KEY=VALUE laid over the scene file
   std::string reference;              ///< a file of published values; empty: none
   bool pictures = true;

@@ -144,7 +144,7 @@ Crater crater_of(const Event& event, const Fragments& fragments, std::int32_t ta
   const auto through = opening_in(thickness);
   // An opening below two spacings is the play between particles, not a hole.
   if (through.diameter > 2.0 * view.spacing) return {through, 0.5 * (thickness.low + thickness.high)};
-  const auto front = opening_in({thickness.low, thickness.low + 1.5 * view.spacing});
+  const auto front = opening_in({thickness.low, thickness.low + view.spacing});
   return {front, thickness.low};
 }
 

@@ -1,0 +1,77 @@
+// Fragments: what hangs together and what does not.
+
+#include <catch2/catch.hpp>
+
+#include "postprocess/measure/connectivity.hpp"
+#include "unit/postprocess/synthetic.hpp"
+
+namespace tektite::test {
+namespace {
+
+Whole row_of(const std::vector<double>& positions, const std::vector<std::string>& bodies) {
+  std::vector<Placed> placed;
+  for (std::size_t i = 0; i < positions.size(); ++i) placed.push_back({bodies[i], {positions[i], 0, 0}, {1.0, 0, 0}});
+  return make_whole(snapshot_of(Space::line, placed, 0.0, "", as_it_is), {});
+}
+
+}  // namespace
+
+TEST_CASE("Connectivity: particles belong together while they are nearer than the link times their smoothing length") {
+  const double h = 1.4 * spacing;
+  const auto whole = row_of({0.0, 0.99 * h, 0.99 * h + 1.01 * h, 5 * h, 6.99 * h}, {"a", "a", "a", "a", "a"});
+  CHECK(find_fragments(whole, 1.0).list.size() == 4);
+  CHECK(find_fragments(whole, 2.0).list.size() == 2);
+  CHECK(find_fragments(whole, 3.1).list.size() == 1);
+}
+
+TEST_CASE("Connectivity: bodies that touch are not one fragment") {
+  const auto whole = row_of({0.0, 1e-3, 2e-3, 3e-3}, {"a", "a", "b", "b"});
+  const auto fragments = find_fragments(whole, 2.0);
+  REQUIRE(fragments.list.size() == 2);
+  CHECK(fragments.list[fragments.heaviest(0)].body == 0);
+  CHECK(fragments.list[fragments.heaviest(1)].body == 1);
+}
+
+TEST_CASE("Connectivity: fragments come the heaviest first, with mass, centre and velocity") {
+  const auto whole = row_of({0.0, 0.1, 0.101, 0.102}, {"a", "a", "a", "a"});
+  const auto fragments = find_fragments(whole, 2.0);
+  REQUIRE(fragments.list.size() == 2);
+  CHECK(fragments.list[0].count == 3);
+  CHECK(fragments.list[0].mass == Approx(3 * 2785.0 * spacing));
+  CHECK(fragments.list[0].centre[0] == Approx(0.101));
+  CHECK(fragments.list[0].velocity[0] == Approx(1.0));
+  CHECK(fragments.label[0] == 1);
+  CHECK(fragments.label[3] == 0);
+}
+
+TEST_CASE("Connectivity: the grid finds the fragments that comparing every pair finds") {
+  // A cloud from a linear congruential generator, dense enough for fragments of many sizes.
+  std::vector<Placed> placed;
+  std::uint32_t state = 1;
+  const auto next = [&] { return static_cast<double>((state = state * 1664525u + 1013904223u) >> 8) / (1 << 24); };
+  for (int i = 0; i < 600; ++i) {
+    const double x = next();
+    const double y = next();
+    placed.push_back({"cloud", {0.02 * (x - 0.5), 0.02 * (y - 0.5), 0.02 * (next() - 0.5)}, {0, 0, 0}});
+  }
+  const auto whole = make_whole(snapshot_of(Space::solid, placed, 0.0, "", as_it_is), {});
+  const auto fragments = find_fragments(whole, 1.0);
+  REQUIRE(fragments.list.size() > 50);
+  REQUIRE(fragments.list.size() < 550);
+  std::vector<std::uint32_t> label(whole.count());
+  for (std::uint32_t i = 0; i < label.size(); ++i) label[i] = i;
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t i = 0; i < label.size(); ++i)
+      for (std::size_t j = 0; j < label.size(); ++j)
+        if (label[j] > label[i] && norm(whole.position[i] - whole.position[j]) < 1.4 * spacing) {
+          label[j] = label[i];
+          changed = true;
+        }
+  }
+  for (std::size_t i = 0; i < label.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if ((label[i] == label[j]) != (fragments.label[i] == fragments.label[j])) FAIL("pair " << i << ", " << j);
+}
+
+}  // namespace tektite::test

@@ -1,0 +1,180 @@
+// Every measure on runs made by hand, in several orientations, whole and half: the values are known, and the same.
+
+#include <catch2/catch.hpp>
+#include <fstream>
+
+#include "core/error.hpp"
+#include "postprocess/plan.hpp"
+#include "support/temporary_folder.hpp"
+#include "unit/postprocess/synthetic.hpp"
+
+namespace tektite::test {
+namespace {
+
+struct Case {
+  Space space = Space::plane_strain;
+  Ending ending;
+  bool half = false;
+  Turn turn = as_it_is;
+  std::optional<double> contact_time;
+};
+
+Event event_of(const Case& of) {
+  auto document = Document::parse(scene_text(of.space, of.half), "scene.toml");
+  const auto planes = read_plan(document).scene.symmetry;
+  const auto first = snapshot_of(of.space, impact(of.space, nullptr, of.half), 0.0, "", of.turn);
+  Event event;
+  event.last_snapshot = snapshot_of(of.space, impact(of.space, &of.ending, of.half), 8e-6, "", of.turn);
+  event.initial = make_whole(first, planes);
+  event.last = make_whole(event.last_snapshot, planes);
+  event.fragments = find_fragments(event.last, link_of_support);
+  event.narrow_fragments = find_fragments(event.last, link_of_smoothing_length);
+  event.contact_time = of.contact_time;
+  return event;
+}
+
+Measured take(const std::string& name, const Event& event, Space space = Space::plane_strain) {
+  auto document = Document::parse(scene_text(space, false), "scene.toml");
+  for (const auto& measure : read_plan(document).measures)
+    if (measure.name == name) return measure.measure(event);
+  throw std::logic_error("no measure " + name);
+}
+
+/// The same case as it is, turned and mirrored; and as a half where its symmetry allows that.
+std::vector<Case> orientations(const Case& of) {
+  std::vector<Case> cases(5, of);
+  cases[1].turn = turned_by_90_degrees;
+  cases[2].turn = turned_by_30_degrees;
+  cases[3].turn = mirrored;
+  cases[4].half = true;
+  return cases;
+}
+
+}  // namespace
+
+TEST_CASE("Extension: a disc that stays whole has its diameter, in every orientation") {
+  for (const auto& of : orientations({Space::plane_strain, {0.0, 0.0, 0.0, false}, false, as_it_is, {}})) {
+    const auto measured = take("projectile_extension", event_of(of));
+    CHECK(measured.value == Approx(10e-3).epsilon(1e-9));
+    CHECK(measured.uncertainty == Approx(spacing).epsilon(1e-9));
+    CHECK(measured.time == 8e-6);
+  }
+}
+
+TEST_CASE("Extension and travel: loose crumbs far ahead do not count") {
+  for (const auto& of : orientations({Space::plane_strain, {12e-3, 0.0, 20e-3, true}, false, as_it_is, {}})) {
+    const auto event = event_of(of);
+    REQUIRE(std::count_if(event.fragments.list.begin(), event.fragments.list.end(),
+                          [](const Fragment& fragment) { return fragment.body == 0; }) > 1);
+    CHECK(take("projectile_extension", event).value == Approx(10e-3).epsilon(1e-9));
+    CHECK(take("projectile_travel", event).value == Approx(26e-3).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("Travel: counts from where the leading edge was at contact") {
+  Case of{Space::plane_strain, {0.0, 0.0, 20e-3, false}, false, turned_by_90_degrees, 1e-6};
+  CHECK(take("projectile_travel", event_of(of)).value == Approx(25e-3).epsilon(1e-9));
+}
+
+TEST_CASE("Travel: a body at rest has no direction of flight, and the message says so") {
+  auto event = event_of({});
+  for (auto& velocity : event.initial.velocity) velocity = Point::zero();
+  CHECK_THROWS_WITH(take("projectile_travel", event), Catch::Contains("give the measure an axis"));
+}
+
+TEST_CASE("Crater: the hole in a plate has the diameter that was cut out, in every orientation") {
+  for (const auto& of : orientations({Space::plane_strain, {12e-3, 0.0, 30e-3, false}, false, as_it_is, {}})) {
+    const auto measured = take("crater_diameter", event_of(of));
+    CHECK(measured.value == Approx(12e-3).epsilon(1e-9));
+    REQUIRE(measured.drawing);
+    CHECK(norm(measured.drawing->to - measured.drawing->from) == Approx(12e-3).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("Crater: crumbs that hang in the hole do not close it") {
+  const auto event = event_of({Space::plane_strain, {12e-3, 0.0, 30e-3, true}, false, as_it_is, {}});
+  CHECK(take("crater_diameter", event).value == Approx(12e-3).epsilon(1e-9));
+}
+
+TEST_CASE("Crater: a pit that does not go through is measured at the original front surface") {
+  for (const auto& of : orientations({Space::plane_strain, {0.0, 8e-3, -20e-3, false}, false, as_it_is, {}}))
+    CHECK(take("crater_diameter", event_of(of)).value == Approx(8e-3).epsilon(1e-9));
+}
+
+TEST_CASE("Crater: a target that was not touched has none") {
+  const auto event = event_of({});
+  CHECK(take("crater_diameter", event).value <= spacing);
+}
+
+TEST_CASE("Crater: a round hole in space has its diameter to within a spacing, in every orientation") {
+  for (const auto& of : orientations({Space::solid, {12e-3, 0.0, 30e-3, false}, false, as_it_is, {}})) {
+    const auto measured = take("crater_diameter", event_of(of), Space::solid);
+    // The rim of a hole that is cut out of a lattice is rough by a spacing.
+    CHECK(std::abs(measured.value - 12e-3) < spacing);
+    CHECK(measured.uncertainty >= spacing);
+  }
+}
+
+TEST_CASE("Crater: where the whole target has gone, that is told") {
+  auto event = event_of({Space::plane_strain, {12e-3, 0.0, 30e-3, false}, false, as_it_is, {}});
+  for (std::size_t i = 0; i < event.last.count(); ++i) event.last.position[i][0] += 1.0;
+  CHECK_THROWS_AS(take("crater_diameter", event), RunError);
+}
+
+TEST_CASE("Peaks: value and time of the largest pressure and tension that a probe saw") {
+  const TemporaryFolder folder;
+  std::ofstream(folder.file("history.csv")) << "step,time,centre.pressure\n0,0,0\n1,1e-7,4e9\n2,2e-7,19e9\n"
+                                               "3,3e-7,18e9\n4,4e-7,-2e9\n5,5e-7,-1e9\n";
+  auto event = event_of({});
+  event.history = History::read(folder.file("history.csv"));
+  const auto pressure = take("peak_pressure", event);
+  CHECK(pressure.value == 19e9);
+  CHECK(pressure.time == 2e-7);
+  CHECK(pressure.uncertainty == Approx(0.5 * (19e9 - 4e9)));
+  const auto tension = take("peak_tension", event);
+  CHECK(tension.value == 2e9);
+  CHECK(tension.time == 4e-7);
+}
+
+TEST_CASE("Peaks: the uncertainty looks as far as sound takes across half a spacing") {
+  // 0.5 mm at 5000 m/s is 0.1 µs: samples 0.05 µs apart are looked at two to each side.
+  const TemporaryFolder folder;
+  std::ofstream(folder.file("history.csv")) << "time,centre.pressure\n0,1e9\n0.05e-6,6e9\n0.1e-6,9e9\n0.15e-6,10e9\n"
+                                               "0.2e-6,9.5e9\n0.24e-6,8e9\n";
+  auto event = event_of({});
+  event.history = History::read(folder.file("history.csv"));
+  CHECK(take("peak_pressure", event).uncertainty == Approx(0.5 * (10e9 - 6e9)));
+}
+
+TEST_CASE("Peaks: without a history or without the probe's column the reason is told") {
+  auto event = event_of({});
+  CHECK_THROWS_WITH(take("peak_pressure", event), Catch::Contains("history.csv"));
+  const TemporaryFolder folder;
+  std::ofstream(folder.file("history.csv")) << "time\n0\n";
+  event.history = History::read(folder.file("history.csv"));
+  CHECK_THROWS_WITH(take("peak_pressure", event), Catch::Contains("centre.pressure"));
+}
+
+TEST_CASE("Extremes: the largest plastic strain of a body, and how much it stands out") {
+  auto event = event_of({});
+  auto strain = event.last_snapshot.particles.reals(Field::plastic_strain);
+  const auto body = event.last_snapshot.particles.bodies()[1].range;
+  for (auto& value : strain) value = 9.0;  // of the projectile, which must not count
+  for (auto i = body.begin; i < body.end; ++i) strain[i] = 0.1;
+  strain[body.begin + 20] = 0.5;
+  const auto measured = take("max_plastic_strain", event);
+  CHECK(measured.value == 0.5);
+  CHECK(measured.uncertainty > 0.2);
+  CHECK(measured.uncertainty < 0.4);
+}
+
+TEST_CASE("Measures: every kind has a reader and a name of its own") {
+  std::set<std::string> names;
+  for (const auto& kind : measure_kinds()) {
+    CHECK(kind.read != nullptr);
+    names.insert(kind.name);
+  }
+  CHECK(names.size() == measure_kinds().size());
+}
+
+}  // namespace tektite::test

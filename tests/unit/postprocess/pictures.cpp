@@ -1,0 +1,139 @@
+// Pictures are drawn, show what they should, and their absence is told.
+
+#include <vtkImageData.h>
+#include <vtkPNGReader.h>
+#include <vtkSmartPointer.h>
+
+#include <array>
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+#include "postprocess/render/draw.hpp"
+#include "support/temporary_folder.hpp"
+#include "unit/postprocess/synthetic.hpp"
+
+namespace tektite::test {
+namespace {
+
+using Colour = std::array<int, 3>;
+
+/// Number of pixels of each colour.
+std::map<Colour, int> colours_of(const std::string& path) {
+  const auto reader = vtkSmartPointer<vtkPNGReader>::New();
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  auto* image = reader->GetOutput();
+  const auto* size = image->GetDimensions();
+  std::map<Colour, int> count;
+  for (int y = 0; y < size[1]; ++y)
+    for (int x = 0; x < size[0]; ++x) {
+      Colour colour;
+      for (int k = 0; k < 3; ++k)
+        colour[static_cast<std::size_t>(k)] = static_cast<int>(image->GetScalarComponentAsDouble(x, y, 0, k));
+      ++count[colour];
+    }
+  return count;
+}
+
+struct Made {
+  TemporaryFolder folder;
+  RunFolder run;
+  Scene scene;
+  Event event;
+  std::vector<Measurement> measurements;
+
+  explicit Made(Space space) {
+    scene.name = "made_by_hand";
+    scene.title = "Disc through a plate";
+    scene.space = space;
+    const Ending ending{12e-3, 0.0, 20e-3, true};
+    run.path = folder.path();
+    run.snapshots = {folder.file("snapshots/000000.h5")};
+    event.last_snapshot = snapshot_of(space, impact(space, &ending, false), 8e-6, "", as_it_is);
+    event.last = make_whole(event.last_snapshot, {});
+    measurements = {{"crater_diameter", "m", {12e-3, 8e-6, 1e-3, Segment{{1e-3, -6e-3, 0}, {1e-3, 6e-3, 0}}}}};
+  }
+  std::vector<std::string> draw(const Picture& picture) {
+    return draw_pictures({picture}, {run, scene, event, measurements});
+  }
+};
+
+Picture small_picture(const std::string& field) {
+  Picture picture;
+  picture.name = field;
+  picture.field = field;
+  picture.width = 640;
+  picture.height = 400;
+  return picture;
+}
+
+}  // namespace
+
+TEST_CASE("Pictures: particles are drawn in many colours on white, in the plane and in space") {
+  for (const auto space : {Space::plane_strain, Space::solid}) {
+    Made made(space);
+    const auto told = made.draw(small_picture("pressure"));
+    const auto path = made.folder.file("pictures/pressure.png");
+    REQUIRE(told == std::vector<std::string>{"picture: " + path});
+    const auto colours = colours_of(path);
+    CHECK(colours.size() > 200);
+    CHECK(colours.at({255, 255, 255}) > 640 * 400 / 4);
+    CHECK(colours.at({255, 255, 255}) < 640 * 400 * 95 / 100);
+  }
+}
+
+TEST_CASE("Pictures: bodies have distinct colours, and an undeformed body shows no holes") {
+  Made made(Space::plane_strain);
+  auto picture = small_picture("body");
+  picture.view = Region{{1e-4, 8e-3}, {1.9e-3, 18e-3}};  // inside the plate, beyond its hole
+  picture.measures = false;
+  REQUIRE(made.draw(picture).size() == 1);
+  const auto colours = colours_of(made.folder.file("pictures/body.png"));
+  // The plate is 10 mm of the height of the view and as wide as 2 mm of it; every pixel of that is its colour.
+  const Colour blue{0, 115, 179};
+  const double pixels_per_metre = 0.81 * 400 / (1.04 * 10e-3);
+  REQUIRE(colours.contains(blue));
+  CHECK(colours.at(blue) > 0.95 * 2e-3 * pixels_per_metre * 0.81 * 400);
+}
+
+TEST_CASE("Pictures: a history is drawn with one line a column") {
+  Made made(Space::plane_strain);
+  std::ofstream(made.folder.file("history.csv")) << "time,kinetic_energy,internal_energy\n0,10,0\n1e-6,6,4\n2e-6,5,5\n";
+  made.run.history = History::read(made.folder.file("history.csv"));
+  auto picture = small_picture("");
+  picture.name = "energy";
+  picture.type = PictureType::history;
+  picture.columns = {"kinetic_energy", "internal_energy"};
+  REQUIRE(made.draw(picture) == std::vector<std::string>{"picture: " + made.folder.file("pictures/energy.png")});
+  const auto colours = colours_of(made.folder.file("pictures/energy.png"));
+  CHECK(colours.contains(Colour{229, 158, 0}));
+  CHECK(colours.contains(Colour{0, 114, 178}));
+}
+
+TEST_CASE("Pictures: what cannot be drawn is a warning") {
+  Made made(Space::plane_strain);
+  const auto absent = made.draw(small_picture("temperature"));
+  REQUIRE(absent.size() == 1);
+  CHECK(absent[0].find("warning: no picture temperature") != std::string::npos);
+  auto picture = small_picture("");
+  picture.name = "mixed";
+  picture.type = PictureType::history;
+  picture.columns = {"time", "kinetic_energy"};
+  std::ofstream(made.folder.file("history.csv")) << "time,kinetic_energy\n0,10\n";
+  made.run.history = History::read(made.folder.file("history.csv"));
+  CHECK(made.draw(picture)[0].find("a picture each") != std::string::npos);
+}
+
+TEST_CASE("Pictures: without an X server to start, that is said and nothing ends") {
+  Made made(Space::plane_strain);
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", made.folder.path().c_str(), 1);
+  const auto told = made.draw(small_picture("pressure"));
+  setenv("PATH", path.c_str(), 1);
+  REQUIRE(told.size() == 1);
+  CHECK(told[0].find("Xvfb") != std::string::npos);
+}
+
+}  // namespace tektite::test

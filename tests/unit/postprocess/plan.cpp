@@ -1,0 +1,98 @@
+// [measure.*], [picture.*] and references: what is accepted, and how the rest is answered.
+
+#include "postprocess/plan.hpp"
+
+#include <catch2/catch.hpp>
+#include <fstream>
+
+#include "postprocess/references.hpp"
+#include "support/fault.hpp"
+#include "support/temporary_folder.hpp"
+#include "unit/postprocess/synthetic.hpp"
+
+namespace tektite::test {
+namespace {
+
+Plan plan_of(const std::string& tables) {
+  auto document = Document::parse(scene_text(Space::plane_strain, false) + tables, "scene.toml");
+  return read_plan(document);
+}
+
+void refuses(const std::string& tables, const std::vector<std::string>& words) {
+  const auto fault = fault_of([&] { plan_of(tables); });
+  for (const auto& word : words) {
+    INFO(fault);
+    CHECK(fault.find(word) != std::string::npos);
+  }
+}
+
+std::vector<Reference> references_of(const std::string& text, const std::string& variant) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.file("reference.toml")) << text;
+  return read_references(folder.file("reference.toml"), variant, plan_of("").measures);
+}
+
+}  // namespace
+
+TEST_CASE("Plan: measures and pictures of a scene are read with their defaults") {
+  const auto plan = plan_of("[picture.stress]\nfield = \"von_mises_stress\"\nrange = [0, \"0.3 GPa\"]\n");
+  CHECK(plan.measures.size() == 6);
+  REQUIRE(plan.pictures.size() == 1);
+  CHECK(plan.pictures[0].range->second == Approx(3e8));
+  CHECK(plan.pictures[0].width == 1600);
+}
+
+TEST_CASE("Plan: a measure may have a name of its own and say its type") {
+  const auto plan = plan_of("[measure.hole]\ntype = \"crater_diameter\"\nbody = \"target\"\n");
+  CHECK(plan.measures.back().name == "hole");
+  CHECK(plan.measures.back().kind->name == "crater_diameter");
+}
+
+TEST_CASE("Plan: unknown names are answered with the known ones") {
+  refuses("[measure.crater_depth]\nbody = \"target\"\n", {"measure.crater_depth", "crater_diameter", "peak_pressure"});
+  refuses("[measure.max_temperature]\nbody = \"tarjet\"\n", {"scene.toml:", "body", "projectile, target"});
+  refuses("[measure.p]\ntype = \"peak_pressure\"\nprobe = \"edge\"\n", {"measure.p.probe", "centre"});
+  refuses("[picture.a]\nfield = \"presure\"\n", {"picture.a.field", "pressure", "von_mises_stress"});
+  refuses("[picture.a]\nfield = \"pressure\"\nbodies = [\"plate\"]\n", {"plate", "projectile, target"});
+  refuses("[picture.a]\nfield = \"pressure\"\ncolour = 1\n", {"picture.a.colour", "unknown key"});
+  refuses("[picture.a]\ntype = \"film\"\n", {"particles, history"});
+}
+
+TEST_CASE("Plan: values that cannot be are refused") {
+  refuses("[picture.a]\nfield = \"pressure\"\nrange = [1, 0]\n", {"must rise"});
+  refuses("[picture.a]\nfield = \"pressure\"\nrange = [\"0 m\", \"1 m\"]\n", {"length", "pressure"});
+  refuses("[picture.a]\nfield = \"pressure\"\nwidth = 5\n", {"out of range"});
+  refuses("[picture.a]\nfield = \"pressure\"\ntimes = [\"1 m\"]\n", {"is not a time"});
+  refuses("[picture.a]\nfield = \"pressure\"\nview = { lower = [0, 0], upper = [1, 0] }\n", {"must lie above"});
+  refuses("[picture.\"a/b\"]\nfield = \"pressure\"\n", {"plain"});
+  refuses("[measure.travel]\ntype = \"projectile_travel\"\nbody = \"target\"\naxis = [0, 0]\n", {"cannot be zero"});
+}
+
+TEST_CASE("References: entries hold for their variants, with what they allow") {
+  const std::string text =
+      "[[reference]]\nmeasure = \"crater_diameter\"\nvariant = \"a\"\npublished = \"2.1 cm\"\nwithin = \"1 mm\"\n"
+      "source = \"x\"\n[[reference]]\nmeasure = \"peak_pressure\"\nvariants = [\"a\", \"b\"]\n"
+      "published = \"10 GPa\"\nwithin_relative = 0.03\nsource = \"y\"\n"
+      "[[reference]]\nmeasure = \"energy_drift\"\npublished = 0\nsource = \"z\"\n";
+  const auto of_a = references_of(text, "a");
+  REQUIRE(of_a.size() == 3);
+  CHECK(of_a[0].published == Approx(0.021));
+  CHECK(*of_a[0].within == Approx(1e-3));
+  CHECK(*of_a[1].within == Approx(3e8));
+  CHECK_FALSE(of_a[2].within);
+  CHECK(references_of(text, "b").size() == 2);
+  CHECK(references_of(text, "").size() == 1);
+}
+
+TEST_CASE("References: what is wrong is told with its place") {
+  const auto fault = fault_of([] {
+    references_of("[[reference]]\nmeasure = \"crater_diameter\"\npublished = \"2.1 Pa\"\nsource = \"x\"\n", "");
+  });
+  CHECK(fault.find("reference.toml:3") != std::string::npos);
+  CHECK(fault.find("length") != std::string::npos);
+  CHECK(fault_of([] {
+          references_of("[[reference]]\nmeasure = \"size\"\npublished = 1\nsource = \"x\"\n", "");
+        }).find("crater_diameter") != std::string::npos);
+}
+
+}  // namespace tektite::test

@@ -1,0 +1,43 @@
+// Symmetry planes: the whole that half a model stands for.
+
+#include <catch2/catch.hpp>
+
+#include "postprocess/whole.hpp"
+#include "unit/postprocess/synthetic.hpp"
+
+namespace tektite::test {
+
+TEST_CASE("Whole: an image lies on the other side of its plane and moves as mirrored") {
+  const auto snapshot = snapshot_of(Space::plane_strain, {{"a", {1.0, 2.0, 0}, {3.0, 4.0, 0}}}, 0.5, "", as_it_is);
+  const auto whole = make_whole(snapshot, {{1, 0.5, 1.0}});
+  REQUIRE(whole.count() == 2);
+  CHECK(whole.time == 0.5);
+  CHECK(whole.position[1][0] == 1.0);
+  CHECK(whole.position[1][1] == -1.0);
+  CHECK(whole.velocity[1][0] == 3.0);
+  CHECK(whole.velocity[1][1] == -4.0);
+  CHECK(whole.source[1] == 0);
+}
+
+TEST_CASE("Whole: two planes make four quarters, three make eight octants") {
+  const auto snapshot = snapshot_of(Space::solid, {{"a", {1.0, 2.0, 3.0}, {0, 0, 0}}}, 0.0, "", as_it_is);
+  CHECK(make_whole(snapshot, {{0, 0.0, 1.0}, {1, 0.0, 1.0}}).count() == 4);
+  const auto whole = make_whole(snapshot, {{0, 0.0, 1.0}, {1, 0.0, 1.0}, {2, 0.0, 1.0}});
+  REQUIRE(whole.count() == 8);
+  CHECK(whole.position[7][0] == -1.0);
+  CHECK(whole.position[7][1] == -2.0);
+  CHECK(whole.position[7][2] == -3.0);
+}
+
+TEST_CASE("Whole: particles are found again by id and image after they were ordered anew") {
+  const auto first = snapshot_of(Space::line, {{"a", {1.0, 0, 0}, {}}, {"a", {2.0, 0, 0}, {}}}, 0.0, "", as_it_is);
+  auto later = first;
+  const std::vector<std::uint32_t> order{1, 0};
+  later.particles.permute(order);
+  const std::vector<SymmetryPlane> planes{{0, 0.0, 1.0}};
+  CHECK(places_in(make_whole(first, planes), make_whole(later, planes)) == std::vector<std::uint32_t>{1, 0, 3, 2});
+  later.particles.integers(Field::id)[0] = 77;
+  CHECK_THROWS_AS(places_in(make_whole(first, planes), make_whole(later, planes)), RunError);
+}
+
+}  // namespace tektite::test
