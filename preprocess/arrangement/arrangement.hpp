@@ -1,0 +1,48 @@
+#pragma once
+// How a body is filled with particles. An arrangement answers where they sit for a given spacing.
+//
+// Edges and tolerance: a particle whose place is on the edge of a shape belongs to it. Places and edges are rounded
+// numbers (501 spacings of 0.01 cm are not 5.01 cm in binary; a lattice point at distance 6 mm from the centre may come
+// out as 6.000000000000001 mm), so every comparison in this room allows `edge_tolerance` spacings. That is a million
+// times more than the rounding of coordinates up to a thousand spacings from the origin, and far below anything that
+// matters.
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "core/document.hpp"
+#include "preprocess/geometry/shape.hpp"
+
+namespace tektite::preprocess {
+
+inline constexpr double edge_tolerance = 1e-9;
+
+/// The places of a body's particles, and the length, area or volume (m, m², m³) of the cell that each stands for.
+struct Filling {
+  std::vector<Point> positions;
+  double cell = 0.0;
+};
+
+class Arrangement {
+ public:
+  virtual ~Arrangement() = default;
+
+  /// Fills the shape. The order of the particles does not depend on the number of threads. Throws InputError where the
+  /// arrangement does not suit the shape.
+  virtual Filling fill(const Shape& shape, double spacing) const = 0;
+
+  /// Number of particles that fill() would give, without their memory where that can be had.
+  virtual std::size_t count(const Shape& shape, double spacing) const { return fill(shape, spacing).positions.size(); }
+
+  /// The cell in units of δ^dimensions: 1 but for arrangements that are denser than a lattice.
+  virtual double cell_factor() const { return 1.0; }
+};
+
+using ArrangementPointer = std::unique_ptr<Arrangement>;
+
+/// floor and ceil of a number of spacings, where whole numbers are whole within the tolerance.
+long long floor_within(double spacings);
+long long ceil_within(double spacings);
+
+}  // namespace tektite::preprocess

@@ -1,0 +1,40 @@
+// rings: concentric rings about the centre of a disc or ring, 2π r/δ particles on each, by `rounding` ("nearest" or
+// "down"). `radii` says where they lie: "edges-included" from the centre particle (or the inner edge) to the outer
+// edge, "cell-centred" half a spacing inside both. The radial distance is stretched to the nearest whole number of
+// intervals.
+
+#include <array>
+
+#include "preprocess/arrangement/arrangements.hpp"
+#include "preprocess/arrangement/ring_points.hpp"
+
+namespace tektite::preprocess {
+namespace {
+
+class Rings : public Arrangement {
+ public:
+  Rings(Rounding rounding, bool edges_included) : rounding_(rounding), edges_included_(edges_included) {}
+
+  Filling fill(const Shape& shape, double spacing) const override {
+    const auto round = expect_round(shape, "rings", "disc, ring");
+    Filling filling;
+    for (const double radius : radii(round, spacing, edges_included_))
+      append_ring(filling.positions, round.centre, radius, ring_count(radius / spacing, rounding_));
+    filling.cell = spacing * spacing;
+    return filling;
+  }
+
+ private:
+  Rounding rounding_;
+  bool edges_included_;
+};
+
+}  // namespace
+
+ArrangementPointer read_rings(Section& section, int) {
+  const auto rounding = read_rounding(section, "rounding", "nearest");
+  const std::array<std::string, 2> places{"edges-included", "cell-centred"};
+  return std::make_unique<Rings>(rounding, section.choice("radii", places, "edges-included") == "edges-included");
+}
+
+}  // namespace tektite::preprocess

@@ -1,0 +1,80 @@
+#include "preprocess/arrangement/rows.hpp"
+
+#include <exception>
+#include <numeric>
+
+#include "preprocess/progress.hpp"
+
+namespace tektite::preprocess {
+namespace {
+
+struct Stretch {
+  std::size_t first = 0;
+  std::size_t count = 0;
+};
+
+std::vector<Stretch> stretches(std::span<const std::uint8_t> inside) {
+  std::vector<Stretch> result;
+  for (std::size_t k = 0; k < inside.size(); ++k) {
+    if (!inside[k]) continue;
+    if (k == 0 || !inside[k - 1]) result.push_back({k, 0});
+    ++result.back().count;
+  }
+  return result;
+}
+
+/// Calls work(row index, marks of its places) for every row, on all threads; the first exception is passed on.
+template <class Work>
+void for_each_row(const Shape& shape, const Rows& rows, double tolerance, const Work& work) {
+  std::exception_ptr failure;
+  Progress progress("filling", rows.count);
+#pragma omp parallel
+  {
+    std::vector<std::uint8_t> inside;
+#pragma omp for schedule(dynamic, 16)
+    for (std::size_t k = 0; k < rows.count; ++k) {
+      try {
+        const auto row = rows.row(k);
+        inside.resize(row.count);
+        shape.mark(row, tolerance, inside);
+        work(k, inside);
+        progress.advance();
+      } catch (...) {
+#pragma omp critical(tektite_rows_failure)
+        failure = std::current_exception();
+      }
+    }
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace
+
+std::vector<Point> fill_rows(const Shape& shape, const Rows& rows, double tolerance) {
+  std::vector<std::vector<Stretch>> kept(rows.count);
+  std::vector<std::size_t> first(rows.count + 1, 0);
+  for_each_row(shape, rows, tolerance, [&](std::size_t k, std::span<const std::uint8_t> inside) {
+    kept[k] = stretches(inside);
+    for (const auto& stretch : kept[k]) first[k + 1] += stretch.count;
+  });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<Point> positions(first.back());
+#pragma omp parallel for schedule(static)
+  for (std::size_t k = 0; k < rows.count; ++k) {
+    const auto row = rows.row(k);
+    auto next = first[k];
+    for (const auto& stretch : kept[k])
+      for (std::size_t i = 0; i < stretch.count; ++i) positions[next++] = row.at(stretch.first + i);
+  }
+  return positions;
+}
+
+std::size_t count_rows(const Shape& shape, const Rows& rows, double tolerance) {
+  std::vector<std::size_t> counts(rows.count, 0);
+  for_each_row(shape, rows, tolerance, [&](std::size_t k, std::span<const std::uint8_t> inside) {
+    counts[k] = static_cast<std::size_t>(std::accumulate(inside.begin(), inside.end(), std::size_t{0}));
+  });
+  return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+}
+
+}  // namespace tektite::preprocess

@@ -1,0 +1,47 @@
+#pragma once
+// One [body.NAME] of a scene: read, then filled with particles.
+
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/scene.hpp"
+#include "preprocess/arrangement/registry.hpp"
+#include "preprocess/geometry/shape.hpp"
+#include "preprocess/velocity/velocity.hpp"
+
+namespace tektite::preprocess {
+
+/// What a scene says of a body.
+struct BodyPlan {
+  std::string name;
+  std::string material;
+  double density = 0.0;  ///< kg/m³
+  double spacing = 0.0;  ///< m; 0 where a count is wished for
+  ShapePointer shape;
+  ArrangementChoice arrangement;
+  VelocityPointer velocity;
+  Section section;  ///< for faults that are found later
+};
+
+/// A body with its particles.
+struct FilledBody {
+  BodyPlan plan;
+  std::vector<Point> positions;  ///< m
+  double spacing = 0.0;          ///< m
+  double cell = 0.0;             ///< m, m² or m³ for each particle
+  double exact_mass = 0.0;       ///< of the part on the kept side: kg, kg/m in the plane, kg/m² on a line
+};
+
+/// Densities by material name, in kg/m³, from [material.NAME].
+std::map<std::string, double> read_densities(Section& root);
+
+/// Reads all [body.NAME] in the order of the scene, and the scene's `spacing`. Throws InputError.
+std::vector<BodyPlan> read_bodies(Section& root, const Scene& scene, const std::map<std::string, double>& densities);
+
+/// Fills a body; only the side of the symmetry planes that is kept. Throws InputError where that would give more than
+/// `most_particles`, where no particle falls inside, or where the body is thinner than a spacing.
+FilledBody fill_body(BodyPlan plan, std::span<const SymmetryPlane> planes, double most_particles);
+
+}  // namespace tektite::preprocess

@@ -1,0 +1,97 @@
+#include "preprocess/build_particles.hpp"
+
+#include <numeric>
+
+#include "preprocess/body.hpp"
+#include "preprocess/overlap.hpp"
+#include "preprocess/symmetry.hpp"
+
+namespace tektite::preprocess {
+namespace {
+
+std::vector<Body> ranges(const std::vector<FilledBody>& filled) {
+  std::vector<Body> bodies;
+  std::size_t first = 0;
+  for (const auto& body : filled) {
+    bodies.push_back({body.plan.name, body.plan.material, body.spacing, {first, first + body.positions.size()}});
+    first += body.positions.size();
+  }
+  return bodies;
+}
+
+/// Mass of a particle that lies off all symmetry planes.
+double whole_mass(const FilledBody& body, std::span<const SymmetryPlane> planes) {
+  if (body.plan.arrangement.mass == MassRule::cell) return body.plan.density * body.cell;
+  double shares = 0.0;
+  for (const auto& position : body.positions) shares += mass_share(position, planes);
+  return body.exact_mass / shares;
+}
+
+void store(const FilledBody& body, const Scene& scene, Range range, Particles& particles) {
+  const auto d = static_cast<std::size_t>(particles.dimensions());
+  const double mass = whole_mass(body, scene.symmetry);
+  auto positions = particles.reals(Field::position), velocities = particles.reals(Field::velocity);
+  auto masses = particles.reals(Field::mass), densities = particles.reals(Field::density);
+  auto lengths = particles.reals(Field::smoothing_length);
+  auto ids = particles.integers(Field::id);
+#pragma omp parallel for schedule(static)
+  for (std::size_t i = range.begin; i < range.end; ++i) {
+    const auto& x = body.positions[i - range.begin];
+    const auto v = along_planes(body.plan.velocity->at(x), x, scene.symmetry);
+    for (std::size_t k = 0; k < d; ++k) {
+      positions[i * d + k] = x[static_cast<int>(k)];
+      velocities[i * d + k] = v[static_cast<int>(k)];
+    }
+    masses[i] = mass * mass_share(x, scene.symmetry);
+    densities[i] = body.plan.density;
+    lengths[i] = scene.smoothing_ratio * body.spacing;
+    ids[i] = static_cast<std::int64_t>(i);
+  }
+}
+
+BodyReport describe(const FilledBody& body, const Scene& scene, Range range, const Particles& particles) {
+  BodyReport report{.name = body.plan.name, .material = body.plan.material, .count = body.positions.size()};
+  for (const auto& position : body.positions) report.on_symmetry_planes += mass_share(position, scene.symmetry) < 1.0;
+  const auto masses = particles.reals(Field::mass).subspan(range.begin, range.size());
+  report.spacing = body.spacing;
+  report.mass = std::accumulate(masses.begin(), masses.end(), 0.0);
+  report.exact_mass = body.exact_mass;
+  report.mass_spread = body.plan.arrangement.mass == MassRule::exact;
+  report.remarks = body.plan.shape->remarks();
+  return report;
+}
+
+}  // namespace
+
+Result build_particles(Document& document, double most_particles) {
+  auto root = document.root();
+  const auto scene = read_scene(root, Stage::preprocess);
+  const auto densities = read_densities(root);
+  auto plans = read_bodies(root, scene, densities);
+  root.finish();
+
+  std::vector<FilledBody> filled;
+  for (auto& plan : plans) {
+    filled.push_back(fill_body(std::move(plan), scene.symmetry, most_particles));
+    most_particles -= static_cast<double>(filled.back().positions.size());
+  }
+  check_overlaps(filled);
+
+  Result result;
+  auto& particles = result.snapshot.particles;
+  particles = Particles(scene.space, ranges(filled));
+  for (const auto field :
+       {Field::id, Field::position, Field::velocity, Field::mass, Field::density, Field::smoothing_length})
+    particles.allocate(field);
+  for (std::size_t k = 0; k < filled.size(); ++k) {
+    const auto range = particles.bodies()[k].range;
+    store(filled[k], scene, range, particles);
+    result.bodies.push_back(describe(filled[k], scene, range, particles));
+    filled[k].positions = {};
+  }
+  result.snapshot.state["time"] = 0.0;
+  result.snapshot.scene = document.text();
+  return result;
+}
+
+}  // namespace tektite::preprocess

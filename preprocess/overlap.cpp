@@ -1,0 +1,102 @@
+#include "preprocess/overlap.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace tektite::preprocess {
+namespace {
+
+// Bodies that touch have particles exactly on the common edge, or exactly half a spacing apart; their coordinates are
+// sums of several rounded numbers, so a millionth of a spacing is allowed here.
+constexpr double touch_tolerance = 1e-6;
+
+using Cell = std::array<long long, 3>;  ///< z, y, x, so that sorted cells follow each other along x
+
+bool within(const Point& p, const Box& box, double margin, int dimensions) {
+  for (int k = 0; k < dimensions; ++k)
+    if (p[k] < box.lower[k] - margin || p[k] > box.upper[k] + margin) return false;
+  return true;
+}
+
+std::vector<Point> near_box(const FilledBody& body, const Box& box, double margin) {
+  std::vector<Point> near;
+  for (const auto& p : body.positions)
+    if (within(p, box, margin, body.plan.shape->dimensions())) near.push_back(p);
+  return near;
+}
+
+InputError fault(const FilledBody& a, const FilledBody& b, const Point& p, const std::string& how) {
+  return a.plan.section.fault("shape", fmt::format("body {} overlaps body {}: at ({:g}, {:g}, {:g}) m {}", a.plan.name,
+                                                   b.plan.name, p[0], p[1], p[2], how));
+}
+
+void check_inside(const FilledBody& a, const FilledBody& b, const std::vector<Point>& particles_of_a) {
+  auto first = particles_of_a.size();
+#pragma omp parallel for schedule(dynamic, 1024) reduction(min : first)
+  for (std::size_t k = 0; k < particles_of_a.size(); ++k)
+    if (b.plan.shape->inside(particles_of_a[k], -touch_tolerance * b.spacing)) first = std::min(first, k);
+  if (first < particles_of_a.size())
+    throw fault(a, b, particles_of_a[first], fmt::format("a particle of {} lies inside {}", a.plan.name, b.plan.name));
+}
+
+/// Points sorted into cells as large as the distance that is looked for, so that only neighbouring cells matter.
+class Grid {
+ public:
+  Grid(const std::vector<Point>& points, double size) : size_(size) {
+    for (const auto& p : points) sorted_.emplace_back(cell_of(p), p);
+    std::sort(sorted_.begin(), sorted_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  }
+
+  bool has_nearer(const Point& p, double distance) const {
+    const auto centre = cell_of(p);
+    for (long long z = -1; z <= 1; ++z)
+      for (long long y = -1; y <= 1; ++y) {
+        const Cell from{centre[0] + z, centre[1] + y, centre[2] - 1};
+        const Cell to{centre[0] + z, centre[1] + y, centre[2] + 1};
+        auto at = std::lower_bound(sorted_.begin(), sorted_.end(), from,
+                                   [](const auto& entry, const Cell& cell) { return entry.first < cell; });
+        for (; at != sorted_.end() && at->first <= to; ++at)
+          if (norm(at->second - p) < distance) return true;
+      }
+    return false;
+  }
+
+ private:
+  Cell cell_of(const Point& p) const {
+    return {std::llround(std::floor(p[2] / size_)), std::llround(std::floor(p[1] / size_)),
+            std::llround(std::floor(p[0] / size_))};
+  }
+
+  double size_;
+  std::vector<std::pair<Cell, Point>> sorted_;
+};
+
+void check_distance(const FilledBody& a, const FilledBody& b, const std::vector<Point>& particles_of_a,
+                    const std::vector<Point>& particles_of_b) {
+  const double half = 0.5 * std::min(a.spacing, b.spacing);
+  const Grid grid(particles_of_b, half);
+  for (const auto& p : particles_of_a)
+    if (grid.has_nearer(p, half * (1.0 - touch_tolerance)))
+      throw fault(a, b, p, fmt::format("their particles are nearer than half a spacing, {:g} m", half));
+}
+
+}  // namespace
+
+void check_overlaps(std::span<const FilledBody> bodies) {
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    for (std::size_t j = i + 1; j < bodies.size(); ++j) {
+      const auto &a = bodies[i], &b = bodies[j];
+      const double margin = 0.5 * std::min(a.spacing, b.spacing);
+      const auto near_b = near_box(a, b.plan.shape->bounds(), margin);
+      const auto near_a = near_box(b, a.plan.shape->bounds(), margin);
+      check_inside(a, b, near_b);
+      check_inside(b, a, near_a);
+      check_distance(a, b, near_b, near_a);
+    }
+}
+
+}  // namespace tektite::preprocess

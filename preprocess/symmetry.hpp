@@ -1,0 +1,26 @@
+#pragma once
+// Symmetry planes: half a model stands for the whole. A particle on a plane belongs to both halves, so it stays with
+// half its mass; the solver mirrors the other half onto it.
+
+#include <span>
+#include <vector>
+
+#include "core/scene.hpp"
+#include "preprocess/geometry/shape.hpp"
+
+namespace tektite::preprocess {
+
+/// Removes the particles beyond any plane. Those within `tolerance` (m) of a plane are put exactly on it.
+void keep_side(std::vector<Point>& positions, std::span<const SymmetryPlane> planes, double tolerance);
+
+/// 1 for a particle off all planes; halved for every plane that it lies on.
+double mass_share(const Point& position, std::span<const SymmetryPlane> planes);
+
+/// The velocity without what would carry a particle off a plane on which it lies.
+Point along_planes(Point velocity, const Point& position, std::span<const SymmetryPlane> planes);
+
+/// Length, area or volume of the part on the kept side of all planes. Throws InputError where CGAL cannot cut the
+/// shape.
+double kept_measure(const Shape& shape, std::span<const SymmetryPlane> planes);
+
+}  // namespace tektite::preprocess

@@ -1,0 +1,35 @@
+#include <array>
+
+#include "preprocess/velocity/velocity.hpp"
+
+namespace tektite::preprocess {
+namespace {
+
+struct VelocityRow {
+  const char* name;
+  VelocityPointer (*read)(Section&, int);
+};
+
+constexpr std::array<VelocityRow, 4> velocities{{
+    {"uniform", read_uniform},
+    {"radial", read_radial},
+    {"radial-inverse", read_radial_inverse},
+    {"rotation", read_rotation},
+}};
+
+}  // namespace
+
+VelocityPointer read_velocity(Section& body, int dimensions) {
+  if (!body.has_table("velocity")) return read_uniform(body, dimensions);
+  auto section = body.section("velocity");
+  std::vector<std::string> names;
+  for (const auto& row : velocities) names.emplace_back(row.name);
+  const auto type = section.choice("type", names);
+  VelocityPointer velocity;
+  for (const auto& row : velocities)
+    if (row.name == type) velocity = row.read(section, dimensions);
+  section.finish();
+  return velocity;
+}
+
+}  // namespace tektite::preprocess

@@ -1,0 +1,32 @@
+// rotation: rigid spin at `rate` about the point `centre`; about `axis` in solids, about z in the plane.
+
+#include "preprocess/velocity/velocity.hpp"
+
+namespace tektite::preprocess {
+namespace {
+
+class Rotation : public VelocityField {
+ public:
+  Rotation(const Point& rate, const Point& centre) : rate_(rate), centre_(centre) {}
+
+  /// v = ω × (x − c)
+  Point at(const Point& x) const override {
+    const auto r = x - centre_;
+    return {rate_[1] * r[2] - rate_[2] * r[1], rate_[2] * r[0] - rate_[0] * r[2], rate_[0] * r[1] - rate_[1] * r[0]};
+  }
+
+ private:
+  Point rate_, centre_;
+};
+
+}  // namespace
+
+VelocityPointer read_rotation(Section& section, int dimensions) {
+  if (dimensions == 1) throw section.fault("type", "nothing rotates on a line", "uniform, radial, radial-inverse");
+  const Point z{{0.0, 0.0, 1.0}};
+  const double rate = section.quantity("rate", dimension::rate, limits::any);
+  const auto axis = dimensions == 3 ? read_direction(section, "axis", z) : z;
+  return std::make_unique<Rotation>(rate * axis, read_point(section, "centre", dimensions, Point{}));
+}
+
+}  // namespace tektite::preprocess
