@@ -120,7 +120,7 @@ void add_colour_bar(vtkRenderer* overlay, vtkScalarsToColors* colours, const std
   const auto bar = vtkSmartPointer<vtkScalarBarActor>::New();
   bar->SetLookupTable(colours);
   bar->SetNumberOfLabels(6);
-  bar->SetLabelFormat("%-#.3g");
+  bar->SetLabelFormat("%.3g");
   bar->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
   bar->SetPosition(0.88, 0.12);
   bar->SetWidth(0.09);

@@ -104,6 +104,7 @@ void draw_history(const Picture& picture, const History& history, const Scene& s
   chart->GetTitleProperties()->SetFontSize(32);
   chart->SetShowLegend(true);
   chart->GetLegend()->SetLabelSize(24);
+  chart->GetLegend()->SetInline(false);  // beside the lines, not over them
   const bool energy = si_unit == "J" || si_unit == "kg m/s";
   const std::string slice = energy && dimensions_of(scene.space) == 2 ? " (per metre of thickness)" : "";
   style_axis(chart->GetAxis(vtkAxis::BOTTOM), fmt::format("time, {}", time_unit.label));

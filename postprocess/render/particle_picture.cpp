@@ -78,19 +78,21 @@ std::vector<DimensionLine> dimension_lines(const Picture& picture, const Drawing
   return lines;
 }
 
+/// Three layers: white paper, the particles on a part of it, and what is written over all.
 vtkSmartPointer<vtkRenderWindow> make_window(const Picture& picture, vtkRenderer* scene, vtkRenderer* overlay) {
   auto window = vtkSmartPointer<vtkRenderWindow>::New();
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(8);
   window->SetSize(picture.width, picture.height);
-  window->SetNumberOfLayers(2);
-  scene->SetBackground(1.0, 1.0, 1.0);
+  const auto paper = vtkSmartPointer<vtkRenderer>::New();
+  paper->SetBackground(1.0, 1.0, 1.0);
   scene->SetViewport(0.02, 0.08, 0.85, 0.89);
-  overlay->SetLayer(1);
-  overlay->InteractiveOff();
-  overlay->SetBackground(1.0, 1.0, 1.0);
-  window->AddRenderer(scene);
-  window->AddRenderer(overlay);
+  int layer = 0;
+  window->SetNumberOfLayers(3);
+  for (auto* renderer : {paper.Get(), scene, overlay}) {
+    renderer->SetLayer(layer++);
+    window->AddRenderer(renderer);
+  }
   return window;
 }
 

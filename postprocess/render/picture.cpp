@@ -65,6 +65,17 @@ Picture particles_of(const std::string& field) {
   return picture;
 }
 
+Picture history_of(const std::string& name, const std::vector<std::string>& columns) {
+  Picture picture;
+  picture.name = name;
+  picture.type = PictureType::history;
+  picture.columns = columns;
+  return picture;
+}
+
+bool is_energy(const std::string& column) { return column.ends_with("_energy") || column.ends_with("_work"); }
+bool is_probed_pressure(const std::string& column) { return column.ends_with(".pressure"); }
+
 }  // namespace
 
 std::vector<Picture> read_pictures(Section& root, const Declared& declared) {
@@ -97,12 +108,14 @@ std::vector<Picture> default_pictures(const Snapshot& last, const std::optional<
   pictures.push_back(particles_of("speed"));
   pictures.push_back(particles_of("body"));
   if (!history || history->rows() < 2) return pictures;
-  Picture energy;
-  energy.name = "energy";
-  energy.type = PictureType::history;
-  for (const auto* column : {"kinetic_energy", "internal_energy", "plastic_work", "viscous_work", "total_energy"})
-    if (history->has(column)) energy.columns.emplace_back(column);
-  if (!energy.columns.empty()) pictures.push_back(energy);
+  std::vector<std::string> energies;
+  std::vector<std::string> pressures;
+  for (const auto& column : history->names()) {
+    if (is_energy(column)) energies.push_back(column);
+    if (is_probed_pressure(column)) pressures.push_back(column);
+  }
+  if (!energies.empty()) pictures.push_back(history_of("energy", energies));
+  if (!pressures.empty()) pictures.push_back(history_of("probes", pressures));
   return pictures;
 }
 
