@@ -2,7 +2,6 @@
 
 #include <filesystem>
 
-#include "core/hdf5.hpp"
 #include "core/program.hpp"
 
 namespace tektite::front {
@@ -24,9 +23,6 @@ int solve_and_show(const std::string& folder, const Words& solver_options) {
   solving.insert(solving.end(), solver_options.begin(), solver_options.end());
   if (const int code = run_stage(Stage::solve, solving); code != exit_done) return code;
   Words showing{folder};
-  const hdf5::Reader particles((std::filesystem::path(folder) / "particles.h5").string());
-  const auto scene = Document::parse(particles.text("/scene"), particles.path());
-  if (!scene.variant().empty()) showing.insert(showing.end(), {"--variant", scene.variant()});
   const auto reference = std::filesystem::path(folder) / reference_name;
   if (std::filesystem::exists(reference)) showing.insert(showing.end(), {"--reference", reference.string()});
   return run_stage(Stage::postprocess, showing);

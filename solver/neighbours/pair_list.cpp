@@ -55,9 +55,9 @@ void build_block(PairList::Block& block, std::size_t end, const CellGrid<D>& gri
     block.neighbours.resize(start + count + pack_width);
     auto* out = block.neighbours.data() + start;
     std::size_t found = 0;
-    for (std::size_t n = 0; n < count; ++n) {
+    for (std::size_t n = 0; n < count; ++n) {  // without a branch, which would be guessed wrong every third time
       out[found] = near.index[n];
-      found += static_cast<std::size_t>(distance[n] < reach_squared && near.index[n] != i);
+      found += static_cast<std::size_t>(distance[n] < reach_squared) & static_cast<std::size_t>(near.index[n] != i);
     }
     while (found % pack_width != 0) out[found++] = static_cast<std::uint32_t>(i);
     block.neighbours.resize(start + found);

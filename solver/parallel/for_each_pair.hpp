@@ -9,23 +9,26 @@
 
 namespace tektite {
 
+/// All particles of a block. Flattened: the sums then stay in registers from the first neighbour to the last.
+template <class Pass>
+[[gnu::flatten]] void gather_block(const PairList::Block& block, const Pass& pass) {
+  for (std::size_t k = 0; k + 1 < block.first.size(); ++k) {
+    const std::size_t i = block.begin + k;
+    const auto self = pass.begin(i);
+    typename Pass::Sums sums;
+    for (std::size_t n = block.first[k]; n < block.first[k + 1]; n += pack_width)
+      pass.add(self, block.neighbours.data() + n, sums);
+    pass.end(i, sums);
+  }
+}
+
 /// For every particle: pass.begin(i) gives what it is and its empty sums, pass.add(self, j, sums) takes pack_width
 /// neighbours, pass.end(i, sums) writes. The last pack of a list is filled up with i itself, which is at distance zero
 /// and so adds nothing to any sum over gradients.
 template <class Pass>
 void for_each_pair(const PairList& list, const Pass& pass) {
 #pragma omp parallel for schedule(dynamic, 1)
-  for (std::size_t b = 0; b < list.blocks().size(); ++b) {
-    const auto& block = list.blocks()[b];
-    for (std::size_t k = 0; k + 1 < block.first.size(); ++k) {
-      const std::size_t i = block.begin + k;
-      const auto self = pass.begin(i);
-      typename Pass::Sums sums;
-      for (std::size_t n = block.first[k]; n < block.first[k + 1]; n += pack_width)
-        pass.add(self, block.neighbours.data() + n, sums);
-      pass.end(i, sums);
-    }
-  }
+  for (std::size_t b = 0; b < list.blocks().size(); ++b) gather_block(list.blocks()[b], pass);
 }
 
 }  // namespace tektite

@@ -24,13 +24,21 @@ template <int D>
 Symmetric<double, D> rotated(const Symmetric<double, D>& s, const Tensor<double, D>& l, double dt) {
   if constexpr (D == 1) {
     return s;
+  } else if constexpr (D == 2) {
+    const double tangent = 0.25 * dt * (l(1, 0) - l(0, 1));  // of half the angle
+    const double f = 1.0 / (1.0 + tangent * tangent);
+    const double cosine = (1.0 - tangent * tangent) * f, sine = 2.0 * tangent * f;
+    const double mean = 0.5 * (s(0, 0) + s(1, 1)), half = 0.5 * (s(0, 0) - s(1, 1));
+    const double cosine2 = cosine * cosine - sine * sine, sine2 = 2.0 * sine * cosine;
+    auto turned = s;
+    turned(0, 0) = mean + half * cosine2 - s(0, 1) * sine2;
+    turned(1, 1) = mean - half * cosine2 + s(0, 1) * sine2;
+    turned(0, 1) = half * sine2 + s(0, 1) * cosine2;
+    return turned;
   } else {
     // a = ω dt/2 with the axial vector ω of W; R = I + 2/(1 + a·a) ([a]× + [a]×²)
-    double a[3] = {0.0, 0.0, 0.25 * dt * (l(1, 0) - l(0, 1))};
-    if constexpr (D == 3) {
-      a[0] = 0.25 * dt * (l(2, 1) - l(1, 2));
-      a[1] = 0.25 * dt * (l(0, 2) - l(2, 0));
-    }
+    const double a[3] = {0.25 * dt * (l(2, 1) - l(1, 2)), 0.25 * dt * (l(0, 2) - l(2, 0)),
+                         0.25 * dt * (l(1, 0) - l(0, 1))};
     const double square = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
     const double f = 2.0 / (1.0 + square);
     double r[D][D];
@@ -41,10 +49,8 @@ Symmetric<double, D> rotated(const Symmetric<double, D>& s, const Tensor<double,
       r[j][i] += f * component;
     };
     add_cross(0, 1, a[2]);
-    if constexpr (D == 3) {
-      add_cross(1, 2, a[0]);
-      add_cross(2, 0, a[1]);
-    }
+    add_cross(1, 2, a[0]);
+    add_cross(2, 0, a[1]);
     auto turned = s;
     for (int i = 0; i < D; ++i)
       for (int j = i; j < D; ++j) {
@@ -110,7 +116,8 @@ void advance_deviator(const Model& model, const Tensor<double, D>& l, double acr
       const FlowState flow{state.plastic_strain, 0.0, state.temperature};
       if (equivalent > model.flow_stress(flow)) {
         const double increment = plastic_increment(model, equivalent, flow, dt);
-        const double strength = equivalent - 3.0 * model.shear_modulus * increment;
+        // Molten material: the root's rounding must not turn a strength of zero into one below.
+        const double strength = std::max(0.0, equivalent - 3.0 * model.shear_modulus * increment);
         trial = (strength / equivalent) * trial;
         const double work = strength * increment / density;
         state.plastic_strain += increment;
