@@ -1,0 +1,36 @@
+#include "core/pack.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace tektite;
+
+namespace {
+
+const Pack counting([](int lane) { return lane + 1.0; });  // 1 2 3 4
+
+}  // namespace
+
+TEST_CASE("Packs: each lane is chosen for itself", "[pack]") {
+  const Pack chosen = select(counting < Pack(2.5), counting, Pack(-1.0));
+  for (int lane = 0; lane < static_cast<int>(pack_width); ++lane)
+    CHECK(chosen[lane] == select(counting[lane] < 2.5, counting[lane], -1.0));
+}
+
+TEST_CASE("Packs: larger and smaller are those of each lane", "[pack]") {
+  const Pack other([](int lane) { return 4.0 - 1.5 * lane; });
+  for (int lane = 0; lane < static_cast<int>(pack_width); ++lane) {
+    CHECK(larger(counting, other)[lane] == larger(double(counting[lane]), double(other[lane])));
+    CHECK(smaller(counting, other)[lane] == smaller(double(counting[lane]), double(other[lane])));
+  }
+}
+
+TEST_CASE("Packs: the sum adds all lanes in one order", "[pack]") {
+  CHECK(sum(counting) == 10.0);
+  const Pack wide([](int lane) { return lane == 0 ? 1e16 : lane == 2 ? -1e16 : 1.0; });
+  CHECK(sum(wide) == 2.0);  // (0 + 2) + (1 + 3): in another order the ones would be lost
+}
+
+TEST_CASE("Packs: the largest lane is found wherever it is", "[pack]") {
+  for (int place = 0; place < static_cast<int>(pack_width); ++place)
+    CHECK(largest(Pack([&](int lane) { return lane == place ? 7.0 : -7.0; })) == 7.0);
+}
