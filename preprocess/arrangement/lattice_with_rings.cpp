@@ -12,7 +12,8 @@ namespace {
 
 class LatticeWithRings : public Arrangement {
  public:
-  LatticeWithRings(int rings, Rounding outer, Rounding inner) : rings_(rings), outer_(outer), inner_(inner) {}
+  LatticeWithRings(int rings, Rounding outer, Rounding inner, double start_angle)
+      : rings_(rings), outer_(outer), inner_(inner), start_angle_(start_angle) {}
 
   Filling fill(const Shape& shape, double spacing) const override {
     const auto round = expect_round(shape, "lattice-with-rings", "disc");
@@ -24,7 +25,8 @@ class LatticeWithRings : public Arrangement {
     for (int k = rings_ - 1; k >= 0; --k) {
       const double radius = round.outer / spacing - k;
       if (radius < edge_tolerance) continue;
-      append_ring(filling.positions, round.centre, radius * spacing, ring_count(radius, k == 0 ? outer_ : inner_));
+      append_ring(filling.positions, round.centre, radius * spacing, ring_count(radius, k == 0 ? outer_ : inner_),
+                  start_angle_);
     }
     return filling;
   }
@@ -42,6 +44,7 @@ class LatticeWithRings : public Arrangement {
 
   int rings_;
   Rounding outer_, inner_;
+  double start_angle_;
 };
 
 }  // namespace
@@ -50,7 +53,7 @@ ArrangementPointer read_lattice_with_rings(Section& section, int) {
   const auto rings = static_cast<int>(section.integer("rings", {1, 1000}, 2));
   const auto outer = read_rounding(section, "rounding", "nearest");
   const auto inner = read_rounding(section, "inner_rounding", "down");
-  return std::make_unique<LatticeWithRings>(rings, outer, inner);
+  return std::make_unique<LatticeWithRings>(rings, outer, inner, read_start_angle(section));
 }
 
 }  // namespace tektite::preprocess

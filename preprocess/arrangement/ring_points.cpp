@@ -22,9 +22,15 @@ std::size_t ring_count(double radius_in_spacings, Rounding rounding) {
   return static_cast<std::size_t>(std::max(count, 1LL));
 }
 
-void append_ring(std::vector<Point>& positions, const Point& centre, double radius, std::size_t count) {
+double read_start_angle(Section& section) {
+  constexpr double turn = 2.0 * std::numbers::pi;
+  return section.quantity("start_angle", dimension::none, {-turn, turn}, 0.0);
+}
+
+void append_ring(std::vector<Point>& positions, const Point& centre, double radius, std::size_t count,
+                 double start_angle) {
   for (std::size_t k = 0; k < count; ++k) {
-    const double angle = 2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(count);
+    const double angle = start_angle + 2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(count);
     positions.push_back({centre[0] + radius * std::cos(angle), centre[1] + radius * std::sin(angle), 0.0});
   }
 }

@@ -17,8 +17,12 @@ Rounding read_rounding(Section& section, const std::string& key, const std::stri
 /// Number of particles on a ring whose radius is `radius_in_spacings` δ; 1 where that is zero.
 std::size_t ring_count(double radius_in_spacings, Rounding rounding);
 
-/// Appends the ring's particles; the first lies in the direction of x from the centre.
-void append_ring(std::vector<Point>& positions, const Point& centre, double radius, std::size_t count);
+/// Reads start_angle, the direction from the centre, counted from x, in which each ring has its first particle.
+double read_start_angle(Section& section);
+
+/// Appends the ring's particles, beginning at `start_angle` in radians.
+void append_ring(std::vector<Point>& positions, const Point& centre, double radius, std::size_t count,
+                 double start_angle);
 
 /// The round body that rings need. Throws InputError where the shape is none.
 Round expect_round(const Shape& shape, const char* arrangement, const char* allowed);

@@ -13,13 +13,14 @@ namespace {
 
 class Rings : public Arrangement {
  public:
-  Rings(Rounding rounding, bool edges_included) : rounding_(rounding), edges_included_(edges_included) {}
+  Rings(Rounding rounding, bool edges_included, double start_angle)
+      : rounding_(rounding), edges_included_(edges_included), start_angle_(start_angle) {}
 
   Filling fill(const Shape& shape, double spacing) const override {
     const auto round = expect_round(shape, "rings", "disc, ring");
     Filling filling;
     for (const double radius : radii(round, spacing, edges_included_))
-      append_ring(filling.positions, round.centre, radius, ring_count(radius / spacing, rounding_));
+      append_ring(filling.positions, round.centre, radius, ring_count(radius / spacing, rounding_), start_angle_);
     filling.cell = spacing * spacing;
     return filling;
   }
@@ -27,6 +28,7 @@ class Rings : public Arrangement {
  private:
   Rounding rounding_;
   bool edges_included_;
+  double start_angle_;
 };
 
 }  // namespace
@@ -34,7 +36,8 @@ class Rings : public Arrangement {
 ArrangementPointer read_rings(Section& section, int) {
   const auto rounding = read_rounding(section, "rounding", "nearest");
   const std::array<std::string, 2> places{"edges-included", "cell-centred"};
-  return std::make_unique<Rings>(rounding, section.choice("radii", places, "edges-included") == "edges-included");
+  const bool edges_included = section.choice("radii", places, "edges-included") == "edges-included";
+  return std::make_unique<Rings>(rounding, edges_included, read_start_angle(section));
 }
 
 }  // namespace tektite::preprocess
