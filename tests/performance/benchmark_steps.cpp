@@ -1,0 +1,61 @@
+// Whole steps of a scheme on particles from a file: benchmark_steps FILE.h5... [options of Google Benchmark]
+//
+// FILE is an initial state or a snapshot in the middle of a run. Every iteration takes ten steps, on one thread and on
+// two; items are particle-steps.
+
+#include <benchmark/benchmark.h>
+#include <omp.h>
+
+#include <filesystem>
+#include <iostream>
+
+#include "core/program.hpp"
+#include "run/simulation.hpp"
+
+namespace {
+
+using namespace tektite;
+
+Simulation load(const std::string& file) {
+  auto snapshot = read_snapshot(file);
+  auto document = Document::parse(snapshot.scene, file + ":/scene");
+  auto settings = read_run_settings(document);
+  const bool resumed = snapshot.state.contains("step");
+  return Simulation(std::move(snapshot), std::move(settings), resumed);
+}
+
+void take_steps(benchmark::State& state, const std::string& file) {
+  constexpr int steps = 10;
+  omp_set_num_threads(static_cast<int>(state.range(0)));
+  auto simulation = load(file);
+  for (auto _ : state)
+    for (int k = 0; k < steps; ++k) simulation.step();
+  const auto particles = simulation.particles().count();
+  state.SetItemsProcessed(state.iterations() * steps * static_cast<std::int64_t>(particles));
+  state.counters["particles"] = static_cast<double>(particles);
+  state.counters["bytes_per_particle"] =
+      static_cast<double>(simulation.particles().memory() + simulation.scheme().memory()) /
+      static_cast<double>(particles);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  return run_program("benchmark_steps", [&] {
+    if (argc < 2) throw InputError("no particle file is named");
+    for (int k = 1; k < argc; ++k) {
+      const std::string file = argv[k];
+      const auto name = std::filesystem::path(file).parent_path().filename().string() + "/" +
+                        std::filesystem::path(file).stem().string();
+      benchmark::RegisterBenchmark(name.c_str(), take_steps, file)
+          ->ArgName("threads")
+          ->Arg(1)
+          ->Arg(2)
+          ->UseRealTime()
+          ->Unit(benchmark::kMillisecond);
+    }
+    benchmark::RunSpecifiedBenchmarks();
+    return int{exit_done};
+  });
+}
