@@ -50,7 +50,10 @@ void store(const FilledBody& body, const Scene& scene, Range range, Particles& p
 }
 
 BodyReport describe(const FilledBody& body, const Scene& scene, Range range, const Particles& particles) {
-  BodyReport report{.name = body.plan.name, .material = body.plan.material, .count = body.positions.size()};
+  BodyReport report;
+  report.name = body.plan.name;
+  report.material = body.plan.material;
+  report.count = body.positions.size();
   for (const auto& position : body.positions) report.on_symmetry_planes += mass_share(position, scene.symmetry) < 1.0;
   const auto masses = particles.reals(Field::mass).subspan(range.begin, range.size());
   report.spacing = body.spacing;

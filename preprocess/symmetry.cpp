@@ -63,11 +63,9 @@ double kept_measure(const Shape& shape, std::span<const SymmetryPlane> planes) {
   if (!cut) return shape.measure();
   if (shape.dimensions() == 1) return kept.extent(0);
   if (shape.dimensions() == 2) return shape.region({}).common(rectangle(kept)).area();
-  auto surface = shape.surface({});
-  const double triangulated = surface.volume();
-  for (const auto& plane : planes)
-    if (cuts(plane, whole)) surface = surface.clipped(plane.axis, plane.at, plane.side);
-  return shape.measure() * surface.volume() / triangulated;  // what the triangles miss, they miss in the whole too
+  const auto surface = shape.surface({});
+  // What the triangles miss of a round face, they miss in the whole too.
+  return shape.measure() * surface.volume_within(planes) / surface.volume();
 }
 
 }  // namespace tektite::preprocess

@@ -1,6 +1,5 @@
 #include "preprocess/geometry/surface.hpp"
 
-#include <CGAL/Polygon_mesh_processing/clip.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 
@@ -53,17 +52,6 @@ Surface Surface::common(const Surface& other) const {
   return Surface(combined(*this, other, [](TriangleMesh& a, TriangleMesh& b, TriangleMesh& out) {
     return pmp::corefine_and_compute_intersection(a, b, out);
   }));
-}
-
-Surface Surface::clipped(int axis, double at, double side) const {
-  auto result = std::make_shared<Mesh>(*mesh_);
-  guarded("a symmetry plane could not cut this solid", [&] {
-    double normal[3] = {0.0, 0.0, 0.0};
-    normal[axis] = -side;  // CGAL keeps the negative side
-    const MeshKernel::Plane_3 plane(normal[0], normal[1], normal[2], side * at);
-    pmp::clip(result->triangles, plane, CGAL::parameters::clip_volume(true));
-  });
-  return Surface(result);
 }
 
 double Surface::volume() const { return mesh_->triangles.is_empty() ? 0.0 : pmp::volume(mesh_->triangles); }

@@ -6,9 +6,10 @@
 
 #include <array>
 #include <memory>
-#include <string>
+#include <span>
 #include <vector>
 
+#include "core/scene.hpp"
 #include "preprocess/geometry/placement.hpp"
 
 namespace tektite::preprocess {
@@ -27,11 +28,10 @@ class Surface {
   Surface joined(const Surface& other) const;
   Surface without(const Surface& other) const;
   Surface common(const Surface& other) const;
-  /// What lies where side * (x[axis] - at) >= 0.
-  Surface clipped(int axis, double at, double side) const;
-
   /// In m³.
   double volume() const;
+  /// The volume on the kept side of all these planes, no two of them across one axis, in m³.
+  double volume_within(std::span<const SymmetryPlane> planes) const;
 
   struct Mesh;
   explicit Surface(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)) {}

@@ -1,0 +1,123 @@
+#include <omp.h>
+
+#include <catch2/catch.hpp>
+#include <numeric>
+
+#include "scene_text.hpp"
+#include "support/fault.hpp"
+
+using namespace tektite;
+using namespace tektite::test;
+
+namespace {
+
+const std::string square =
+    "[body.a]\nmaterial = 'unit'\nshape = { type = 'rectangle', lower = [0, 0], upper = [1, 1] }\n";
+
+std::string disc_at(double x, const std::string& material) {
+  return "[body.b]\nmaterial = '" + material + "'\nshape = { type = 'disc', centre = [" + std::to_string(x) +
+         ", 0.5], radius = 0.5 }\n";
+}
+
+double sum(std::span<const double> values) { return std::accumulate(values.begin(), values.end(), 0.0); }
+
+}  // namespace
+
+TEST_CASE("Particles: bodies in the order of the scene, with ids, density and smoothing length") {
+  const auto result = result_of("plane-strain", "smoothing = { ratio = 1.2 }\n" + square + disc_at(1.65, "other"));
+  const auto& particles = result.snapshot.particles;
+  REQUIRE(particles.bodies().size() == 2);
+  CHECK(particles.bodies()[0].name == "a");
+  CHECK(particles.bodies()[1].range.begin == 100);
+  CHECK(particles.integers(Field::id)[150] == 150);
+  CHECK(particles.reals(Field::density)[99] == 1.0);
+  CHECK(particles.reals(Field::density)[100] == 2.0);
+  CHECK(particles.reals(Field::smoothing_length)[0] == Approx(0.12).epsilon(1e-15));
+  CHECK(result.snapshot.time() == 0.0);
+  CHECK_THAT(result.snapshot.scene, Catch::Contains("cell-centred"));  // defaults are in the effective scene
+}
+
+TEST_CASE("Particles: the mass is that of the cells, or the exact one on request") {
+  const std::string disc = "[body.a]\nmaterial = 'unit'\nshape = { type = 'disc', radius = 1 }\n";
+  const auto cells = result_of("plane-stress", disc);
+  const auto& report = cells.bodies[0];
+  CHECK(report.mass == Approx(0.01 * static_cast<double>(report.count)));
+  CHECK(report.mass != Approx(M_PI).epsilon(1e-6));
+  const auto exact = result_of("plane-stress", disc + "arrangement = { mass = 'exact' }\n");
+  CHECK(exact.bodies[0].mass == Approx(M_PI).epsilon(1e-12));
+  CHECK_THAT(preprocess::in_words(exact), Catch::Contains("spread over the particles"));
+}
+
+TEST_CASE("Symmetry: particles on a plane stay with half their mass a plane, and cannot leave it") {
+  const std::string body =
+      "[body.a]\nmaterial = 'unit'\nvelocity = [1, 2, 3]\n"
+      "shape = { type = 'box', lower = [-0.25, -0.25, -0.25], upper = [0.25, 0.25, 0.25] }\n";
+  const auto result = result_of("solid", body + "[symmetry.p]\naxis = 'y'\n[symmetry.q]\naxis = 'z'\nkeep = 'below'\n");
+  const auto& particles = result.snapshot.particles;
+  CHECK(particles.count() == 5 * 3 * 3);
+  CHECK(sum(particles.reals(Field::mass)) == Approx(0.125 / 4).epsilon(1e-12));
+  CHECK(result.bodies[0].exact_mass == Approx(0.125 / 4).epsilon(1e-12));
+  CHECK(result.bodies[0].on_symmetry_planes == 5 * 5);
+  for (std::size_t k = 0; k < particles.count(); ++k) {
+    const auto* x = &particles.reals(Field::position)[3 * k];
+    const auto* v = &particles.reals(Field::velocity)[3 * k];
+    CHECK(v[0] == 1.0);
+    CHECK(v[1] == (x[1] == 0.0 ? 0.0 : 2.0));
+    CHECK(v[2] == (x[2] == 0.0 ? 0.0 : 3.0));
+    CHECK((x[1] >= 0.0 && x[2] <= 0.0));
+  }
+}
+
+TEST_CASE("Particles: the same on any number of threads") {
+  const std::string body =
+      "[body.a]\nmaterial = 'unit'\nshape = { type = 'sphere', radius = 1.3 }\narrangement = { type = 'close-packed' "
+      "}\n";
+  std::vector<double> first;
+  for (const int threads : {1, 3}) {
+    omp_set_num_threads(threads);
+    const auto result = result_of("solid", body);
+    const auto positions = result.snapshot.particles.reals(Field::position);
+    if (first.empty()) first.assign(positions.begin(), positions.end());
+    CHECK(std::equal(positions.begin(), positions.end(), first.begin(), first.end()));
+  }
+  omp_set_num_threads(omp_get_num_procs());
+}
+
+TEST_CASE("Bodies: touching is allowed, overlapping is not") {
+  CHECK_NOTHROW(result_of("plane-strain", square + disc_at(1.5, "other")));
+  CHECK_THAT(fault_of([] { result_of("plane-strain", square + disc_at(1.3, "other")); }),
+             Catch::Contains("overlaps") && Catch::Contains("body a") && Catch::Contains("body b"));
+  const std::string other =
+      "[body.b]\nmaterial = 'other'\nshape = { type = 'rectangle', lower = [1.01, 0], upper = [2.01, 1] }\n"
+      "arrangement = { convention = 'edges-included' }\n";
+  // particles at x = 0.95 and 1.01, y = 0.05 and 0: 0.078 apart; shifted by half a spacing they meet within 0.06 only
+  CHECK_NOTHROW(result_of("plane-strain", square + other));
+  const std::string edge = "arrangement = { convention = 'edges-included' }\n";
+  CHECK_THAT(fault_of([&] { result_of("plane-strain", square + edge + other); }),
+             Catch::Contains("nearer than half a spacing"));
+}
+
+TEST_CASE("Bodies: what cannot be filled is refused with the reason") {
+  const auto fault = [](const std::string& space, const std::string& rest) {
+    return fault_of([&] { result_of(space, rest); });
+  };
+  CHECK_THAT(fault("plane-strain", "[body.a]\nmaterial = 'unit'\nshape = { type = 'disc', radius = '1 mm' }\n"),
+             Catch::Contains("thinner than one spacing"));
+  CHECK_THAT(fault("plane-strain", "[body.a]\nmaterial = 'unit'\nshape = { type = 'disc', radius = '10 km' }\n"),
+             Catch::Contains("particles at a spacing"));
+  CHECK_THAT(fault("plane-strain", square + "[symmetry.p]\naxis = 'x'\nat = 2.0\n"),
+             Catch::Contains("wholly beyond a symmetry plane"));
+  CHECK_THAT(fault("plane-strain", "[body.a]\nmaterial = 'gold'\nshape = { type = 'disc', radius = 1 }\n"),
+             Catch::Contains("other, unit"));
+  CHECK_THAT(fault("plane-strain", square + "arrangement = { type = 'rings' }\n"), Catch::Contains("disc, ring"));
+  CHECK_THAT(fault("plane-strain", square + "spacing = 0.1\narrangement = { count = 100 }\n"),
+             Catch::Contains("one of the two"));
+  CHECK_THAT(fault("plane-strain", square + "colour = 'red'\n"), Catch::Contains("unknown key"));
+  CHECK_THAT(fault("plane-strain", ""), Catch::Contains("no body"));
+  const std::string between =
+      "[body.a]\nmaterial = 'unit'\nshape = { type = 'difference', parts = [{ type = 'rectangle', lower = [0, 0], "
+      "upper = [0.3, 0.3] }, { type = 'rectangle', lower = [0.04, 0.04], upper = [0.26, 0.26] }] }\n";
+  CHECK_NOTHROW(result_of("plane-strain", between + "arrangement = { convention = 'edges-included' }\n"));
+  CHECK_THAT(fault("plane-strain", between + "arrangement = { convention = 'on-origin', origin = [0.06, 0.06] }\n"),
+             Catch::Contains("no particle falls inside"));
+}
