@@ -1,16 +1,15 @@
 // The diameter of the crater or hole that a projectile leaves in a target.
 //
-// Looked at along the flight line, the coherent target leaves an opening around that line. Where the target is
-// perforated, the opening is taken over the whole original thickness: the clear width through which one can see, the
-// narrowest place between the coherent parts. Where it is not, it is taken at the original front surface. Material that
-// has left the original thickness (lips, bulges) does not count, and neither do loose fragments: the coherent target is
-// what still hangs on the rim, its outermost tenth. In the plane the opening is the sum of its radii on both
-// sides of the flight line; in space it is the diameter of the circle of equal area, found from the nearest particle in
-// each sector around the line. The surface of the target is taken to lie across the flight line (normal impact).
+// Around the flight line, the matter of the coherent target is compared with what was there at the start, ring by ring
+// (in the plane: in pairs of strips). The edge is the innermost ring that is half full again, as on a radiograph: a
+// strand of particles in front of a torn wall does not decide the diameter, and the distance between the quarter-full
+// and the three-quarters-full ring tells how sharp the edge is. Where the target is perforated, matter counts over the
+// whole original thickness; where it is not, in one spacing at the original front surface. What has left the original
+// thickness (lips, bulges) does not count, and neither do loose fragments: the coherent target is what still hangs on
+// the rim, its outermost tenth. The target's surface is taken to lie across the flight line (normal impact).
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/error.hpp"
 #include "postprocess/measure/flight.hpp"
@@ -62,90 +61,77 @@ std::vector<bool> hangs_on_rim(const Event& event, const Fragments& fragments, s
   return hangs;
 }
 
-/// Positions across the flight line of the coherent target's particles within a layer.
-std::vector<Point> layer(const Event& event, const Fragments& fragments, const std::vector<bool>& hangs,
-                         const View& view, const Extent& depth) {
-  std::vector<Point> found;
-  for (std::size_t i = 0; i < event.last.count(); ++i) {
-    const double along = dot(event.last.position[i], view.direction);
-    if (hangs[fragments.label[i]] && along >= depth.low && along <= depth.high)
-      found.push_back(view.across(event.last.position[i]));
-  }
-  return found;
-}
+/// Mass per ring around the flight line.
+class Profile {
+ public:
+  /// Rings are a quarter of a spacing wide.
+  explicit Profile(double spacing) : spacing_(spacing), width_(0.25 * spacing) {}
 
-struct Opening {
-  double diameter = 0.0;
-  Point low = Point::zero();  ///< its edges across the flight line, relative to the line
-  Point high = Point::zero();
+  /// A particle's matter reaches half a spacing to either side of its place.
+  void add(double radius, double mass) {
+    const double low = std::max(0.0, radius - 0.5 * spacing_);
+    const double high = radius + 0.5 * spacing_;
+    const auto last = static_cast<std::size_t>(high / width_);
+    if (rings_.size() <= last) rings_.resize(last + 1, 0.0);
+    for (auto k = static_cast<std::size_t>(low / width_); k <= last; ++k) {
+      const double begin = std::max(low, width_ * static_cast<double>(k));
+      const double end = std::min(high, width_ * static_cast<double>(k + 1));
+      rings_[k] += mass * std::max(0.0, end - begin) / (high - low);
+    }
+  }
+
+  /// The innermost radius at which this profile holds the share `part` of `before`; throws RunError where none does.
+  double edge(const Profile& before, double part) const {
+    for (std::size_t k = 0; k < std::min(rings_.size(), before.rings_.size()); ++k)
+      if (before.rings_[k] > 0.0 && rings_[k] >= part * before.rings_[k]) return width_ * static_cast<double>(k);
+    throw RunError("the coherent target has left its original place");
+  }
+
+ private:
+  double spacing_;
+  double width_;
+  std::vector<double> rings_;
 };
 
-/// In the plane: the nearest particles on both sides of the flight line.
-Opening plane_opening(const std::vector<Point>& points, const View& view) {
-  const Point side{-view.direction[1], view.direction[0], 0.0};
-  double low = -limits::infinite;
-  double high = limits::infinite;
-  for (const auto& point : points) {
-    const double u = dot(point, side);
-    if (u <= 0.0) low = std::max(low, u);
-    if (u >= 0.0) high = std::min(high, u);
+/// Profile of the particles that `chosen(i)` picks within a layer.
+template <class Chosen>
+Profile profile_of(const Whole& whole, const View& view, const Extent& depth, const Chosen& chosen) {
+  Profile profile(view.spacing);
+  for (std::size_t i = 0; i < whole.count(); ++i) {
+    const double along = dot(whole.position[i], view.direction);
+    if (chosen(i) && along >= depth.low && along <= depth.high)
+      profile.add(norm(view.across(whole.position[i])), whole.mass[i]);
   }
-  if (!std::isfinite(high - low)) throw RunError("the coherent target does not reach to both sides of the flight line");
-  low = std::min(0.0, low + 0.5 * view.spacing);
-  high = std::max(0.0, high - 0.5 * view.spacing);
-  return {high - low, low * side, high * side};
-}
-
-/// In space: the area between the nearest particles of all sectors. A sector is one and a half spacings wide at the
-/// nearest particle of all, so that each holds one even if the hole is not round.
-Opening space_opening(const std::vector<Point>& points, const View& view) {
-  double nearest = limits::infinite;
-  for (const auto& point : points) nearest = std::min(nearest, norm(point));
-  if (!std::isfinite(nearest)) throw RunError("the coherent target has left its original thickness");
-  const int smallest = std::abs(view.direction[0]) < 0.6 ? 0 : 1;
-  auto first = Point::zero();
-  first[smallest] = 1.0;
-  first = first - dot(first, view.direction) * view.direction;
-  first = (1.0 / norm(first)) * first;
-  const Point& n = view.direction;
-  const Point second{n[1] * first[2] - n[2] * first[1], n[2] * first[0] - n[0] * first[2],
-                     n[0] * first[1] - n[1] * first[0]};
-
-  const auto sectors =
-      static_cast<std::size_t>(std::max(8.0, std::floor(2.0 * std::numbers::pi * nearest / (1.5 * view.spacing))));
-  std::vector<double> radius(sectors, limits::infinite);
-  for (const auto& point : points) {
-    const double turn = std::atan2(dot(point, second), dot(point, first)) / (2.0 * std::numbers::pi) + 0.5;
-    const auto sector = std::min(sectors - 1, static_cast<std::size_t>(turn * static_cast<double>(sectors)));
-    radius[sector] = std::min(radius[sector], norm(point));
-  }
-  double squares = 0.0;
-  for (const double r : radius) {
-    if (!std::isfinite(r)) throw RunError("the coherent target does not surround the flight line");
-    const double clear = std::max(0.0, r - 0.5 * view.spacing);
-    squares += clear * clear;
-  }
-  const double mean = std::sqrt(squares / static_cast<double>(sectors));
-  return {2.0 * mean, -mean * first, mean * first};
+  return profile;
 }
 
 struct Crater {
-  Opening opening;
+  double diameter;
+  double blur;   ///< between the diameters at which the target is a quarter and three quarters full
   double depth;  ///< along the direction, where it is drawn
 };
 
 Crater crater_of(const Event& event, const Fragments& fragments, std::int32_t target, const View& view) {
   const auto hangs = hangs_on_rim(event, fragments, target, view);
-  const auto opening_in = [&](const Extent& depth) {
-    const auto points = layer(event, fragments, hangs, view, depth);
-    return event.last.dimensions == 2 ? plane_opening(points, view) : space_opening(points, view);
+  const auto opening_in = [&](const Extent& layer, double where) {
+    const auto before =
+        profile_of(event.initial, view, layer, [&](std::size_t i) { return event.initial.body[i] == target; });
+    const auto now = profile_of(event.last, view, layer, [&](std::size_t i) { return hangs[fragments.label[i]]; });
+    return Crater{2.0 * now.edge(before, 0.5), 2.0 * (now.edge(before, 0.75) - now.edge(before, 0.25)), where};
   };
   const auto& thickness = view.thickness;
-  const auto through = opening_in(thickness);
+  const auto through = opening_in(thickness, 0.5 * (thickness.low + thickness.high));
   // An opening below two spacings is the play between particles, not a hole.
-  if (through.diameter > 2.0 * view.spacing) return {through, 0.5 * (thickness.low + thickness.high)};
-  const auto front = opening_in({thickness.low, thickness.low + view.spacing});
-  return {front, thickness.low};
+  if (through.diameter > 2.0 * view.spacing) return through;
+  return opening_in({thickness.low, thickness.low + view.spacing}, thickness.low);
+}
+
+/// A unit vector across the flight, in the plane of a plane scene.
+Point side_of(const View& view) {
+  const auto& n = view.direction;
+  const double length = std::hypot(n[0], n[1]);
+  if (length < 0.5) return {1.0, 0.0, 0.0};  // flight along z, up to 30 degrees
+  return {-n[1] / length, n[0] / length, 0.0};
 }
 
 }  // namespace
@@ -169,11 +155,13 @@ Measure read_crater_diameter(Section& section, const Declared& declared) {
 
     const auto wide = crater_of(event, event.fragments, target, view);
     const auto narrow = crater_of(event, event.narrow_fragments, target, view);
-    Measured measured{wide.opening.diameter, event.last.time, 0.0, {}};
-    // Either edge is known to half a spacing; the rest is what the choice of the link length decides.
-    measured.uncertainty = view.spacing + std::abs(wide.opening.diameter - narrow.opening.diameter);
+    Measured measured{wide.diameter, event.last.time, 0.0, {}};
+    // Either edge is known to half a spacing and is as blurred as the profile tells; the rest is what the choice of the
+    // link length decides.
+    measured.uncertainty = view.spacing + 0.5 * wide.blur + std::abs(wide.diameter - narrow.diameter);
     const auto on_line = view.centre + (wide.depth - dot(view.centre, view.direction)) * view.direction;
-    measured.drawing = Segment{on_line + wide.opening.low, on_line + wide.opening.high};
+    const auto radius = 0.5 * wide.diameter * side_of(view);
+    measured.drawing = Segment{on_line - radius, on_line + radius};
     return measured;
   };
 }

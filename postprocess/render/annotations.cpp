@@ -95,16 +95,19 @@ void add_dimension_line(vtkRenderer* renderer, Pixel from, Pixel to, double shif
                      Pixel{end.x + tick * across.x, end.y + tick * across.y}};
   };
   const std::vector<std::pair<Pixel, Pixel>> lines{{from, to}, tick_at(from), tick_at(to)};
-  add_lines(renderer, lines, 6.0, {1.0, 1.0, 1.0});
-  add_lines(renderer, lines, 2.5, {0.0, 0.0, 0.0});
+  add_lines(renderer, lines, 4.5, {1.0, 1.0, 1.0});
+  add_lines(renderer, lines, 2.0, {0.0, 0.0, 0.0});
   const bool upright = std::abs(to.y - from.y) > std::abs(to.x - from.x);
   const double gap = text_size(renderer, 0.01);
-  const auto& anchor = upright ? (to.y > from.y ? to : from) : (to.x > from.x ? to : from);
-  const auto text =
-      add_text(renderer, label, {anchor.x + gap, anchor.y + (upright ? gap : 0.0)}, text_size(renderer, 0.026));
+  // Beside the upper quarter of an upright line, where its ends and the lines across it leave room; else at the right
+  // end.
+  const auto& right = to.x > from.x ? to : from;
+  const double upper_quarter = std::min(from.y, to.y) + 0.75 * std::abs(to.y - from.y);
+  const Pixel anchor = upright ? Pixel{0.5 * (from.x + to.x), upper_quarter} : right;
+  const auto text = add_text(renderer, label, {anchor.x + gap, anchor.y}, text_size(renderer, 0.026));
   text->GetTextProperty()->SetBackgroundColor(1.0, 1.0, 1.0);
   text->GetTextProperty()->SetBackgroundOpacity(0.8);
-  if (!upright) text->GetTextProperty()->SetVerticalJustificationToCentered();
+  text->GetTextProperty()->SetVerticalJustificationToCentered();
 }
 
 }  // namespace

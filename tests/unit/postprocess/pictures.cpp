@@ -80,7 +80,7 @@ TEST_CASE("Pictures: particles are drawn in many colours on white, in the plane 
     const auto colours = colours_of(path);
     CHECK(colours.size() > 200);
     CHECK(colours.at({255, 255, 255}) > 640 * 400 / 4);
-    CHECK(colours.at({255, 255, 255}) < 640 * 400 * 95 / 100);
+    CHECK(colours.at({255, 255, 255}) < 640 * 400 * 98 / 100);  // the crumbs far ahead make the bodies small
   }
 }
 
