@@ -99,12 +99,12 @@ void add_dimension_line(vtkRenderer* renderer, Pixel from, Pixel to, double shif
   add_lines(renderer, lines, 2.0, {0.0, 0.0, 0.0});
   const bool upright = std::abs(to.y - from.y) > std::abs(to.x - from.x);
   const double gap = text_size(renderer, 0.01);
-  // Beside the upper quarter of an upright line, where its ends and the lines across it leave room; else at the right
-  // end.
+  // To the left of an upright line's upper quarter, where the lines across it leave room; else at the right end.
   const auto& right = to.x > from.x ? to : from;
   const double upper_quarter = std::min(from.y, to.y) + 0.75 * std::abs(to.y - from.y);
-  const Pixel anchor = upright ? Pixel{0.5 * (from.x + to.x), upper_quarter} : right;
-  const auto text = add_text(renderer, label, {anchor.x + gap, anchor.y}, text_size(renderer, 0.026));
+  const Pixel anchor = upright ? Pixel{0.5 * (from.x + to.x) - gap, upper_quarter} : Pixel{right.x + gap, right.y};
+  const auto text = add_text(renderer, label, anchor, text_size(renderer, 0.026));
+  if (upright) text->GetTextProperty()->SetJustificationToRight();
   text->GetTextProperty()->SetBackgroundColor(1.0, 1.0, 1.0);
   text->GetTextProperty()->SetBackgroundOpacity(0.8);
   text->GetTextProperty()->SetVerticalJustificationToCentered();
