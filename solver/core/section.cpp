@@ -74,7 +74,11 @@ Section::Section(Document* document, toml::table* table, std::string path)
       path_(std::move(path)),
       read_(std::make_shared<std::set<std::string, std::less<>>>()) {}
 
-bool Section::has(std::string_view key) const { return table_->contains(key); }
+bool Section::has(std::string_view key) const {
+  const bool there = table_->contains(key);
+  if (!there) read_->emplace(key);  // a key that may be left out is one that may be given: messages offer it
+  return there;
+}
 
 std::string Section::full(const std::string& key) const {
   if (key.empty()) return path_;

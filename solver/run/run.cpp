@@ -145,6 +145,7 @@ RunSettings settings_of(const Snapshot& snapshot, const std::string& file, std::
   auto document = Document::parse(snapshot.scene, file + ":/scene");
   auto settings = read_run_settings(document);
   check_bodies(settings, snapshot.particles, file);
+  if (snapshot.time() == 0.0) check_probes(document, settings, snapshot.particles);
   effective = document.text();
   return settings;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace tektite {
 namespace {
@@ -79,6 +80,29 @@ void check_bodies(const RunSettings& settings, const Particles& particles, const
   for (const auto& body : particles.bodies())
     if (!settings.materials.contains(body.material))
       throw InputError({{file, 0}, "/bodies/" + body.name, body.material, "the scene has no such material", {}});
+}
+
+void check_probes(Document& document, const RunSettings& settings, const Particles& particles) {
+  const auto position = particles.reals(Field::position);
+  const auto width = static_cast<std::size_t>(particles.dimensions());
+  const auto square_distance = [&](const Probe& probe, std::size_t i) {
+    double square = 0.0;
+    for (std::size_t k = 0; k < width; ++k) square += std::pow(position[i * width + k] - probe.position[k], 2);
+    return square;
+  };
+  for (const auto& probe : settings.probes)
+    for (const auto& body : particles.bodies()) {
+      if (body.name != probe.body) continue;
+      bool inside = false;
+      for (std::size_t i = body.range.begin; i < body.range.end && !inside; ++i)
+        inside = square_distance(probe, i) <= body.spacing * body.spacing;
+      if (!inside)
+        throw document.root()
+            .section("probe")
+            .section(probe.name)
+            .fault("position", fmt::format("lies outside the body {}", body.name),
+                   fmt::format("within a spacing, {:g} m, of one of its particles", body.spacing));
+    }
 }
 
 }  // namespace tektite

@@ -96,7 +96,7 @@ void check_refusal(const WrongScene& wrong, const tektite::test::Outcome& outcom
   using Catch::Matchers::Contains;
   CHECK(outcome.code == 2);
   const bool one_line = std::count(outcome.faults.begin(), outcome.faults.end(), '\n') == 1;
-  CHECKED_IF(!one_line) { UNSCOPED_INFO("standard error was: " << outcome.faults); }
+  INFO("standard error was: " << outcome.faults);
   CHECK(one_line);
   CHECK_THAT(outcome.faults, Catch::StartsWith("tektite") && Contains(": error: ") && Contains(place));
   for (const auto& piece : wrong.says) CHECK_THAT(outcome.faults, Contains(piece));

@@ -130,6 +130,13 @@ TEST_CASE("Section: a key that nobody read is unknown, and the nearest known one
                                                    Contains("allowed: density, spacing"));
 }
 
+TEST_CASE("Section: a key that may be left out is offered where a key is unknown") {
+  auto document = Document::parse("raduis = 1\n", "scene.toml");
+  auto root = document.root();
+  CHECK_FALSE(root.has("radius"));
+  CHECK_THAT(fault_of([&] { root.finish(); }), Contains("did you mean radius?") && Contains("allowed: radius"));
+}
+
 TEST_CASE("Section: keys left to another stage are not unknown") {
   auto document = Document::parse("eos = { model = \"x\" }\n", "scene.toml");
   auto root = document.root();
