@@ -150,13 +150,13 @@ TEST_CASE("A wished count is met to within the layer by which counts jump, for e
   CHECK(std::abs(count - wished) <= 0.5 * dimensions * std::pow(wished, 1.0 - 1.0 / dimensions) + 1.0);
 }
 
-TEST_CASE("The published counts of the collapsing ring are met exactly or nearly") {
+TEST_CASE("Rings: the published counts of the collapsing ring are met to within half a ring of particles") {
   const auto ring = shape_of("{ type = 'ring', inner_radius = '80 mm', outer_radius = '100 mm' }", 2);
   const auto rings = arrangement_of("{ type = 'rings' }", 2);
   for (const std::size_t wished : {8012u, 23506u}) {
     const double spacing = preprocess::spacing_for_count(*rings.arrangement, *ring, wished);
     const auto count = static_cast<double>(rings.arrangement->count(*ring, spacing));
-    CHECK(count == Approx(static_cast<double>(wished)).epsilon(2e-3));  // one particle on each of the rings
+    CHECK(std::abs(count - static_cast<double>(wished)) <= M_PI * 0.1 / spacing);  // counts jump by one ring
   }
 }
 

@@ -118,6 +118,6 @@ TEST_CASE("Bodies: what cannot be filled is refused with the reason") {
       "[body.a]\nmaterial = 'unit'\nshape = { type = 'difference', parts = [{ type = 'rectangle', lower = [0, 0], "
       "upper = [0.3, 0.3] }, { type = 'rectangle', lower = [0.04, 0.04], upper = [0.26, 0.26] }] }\n";
   CHECK_NOTHROW(result_of("plane-strain", between + "arrangement = { convention = 'edges-included' }\n"));
-  CHECK_THAT(fault("plane-strain", between + "arrangement = { convention = 'on-origin', origin = [0.06, 0.06] }\n"),
+  CHECK_THAT(fault("plane-strain", between + "arrangement = { convention = 'on-origin', origin = [0.05, 0.05] }\n"),
              Catch::Contains("no particle falls inside"));
 }

@@ -120,6 +120,25 @@ TEST_CASE("Shapes: a ball cut out of a box leaves its volume to the share that t
   CHECK(std::abs(shape->measure() - (32.0 - 2.0 / 3.0 * M_PI)) < 1e-4 * 4.0 / 3.0 * M_PI);
 }
 
+TEST_CASE("Shapes: booleans of solids that share corners, edges and faces have their volume") {
+  const auto cylinder = [](const std::string& base, const std::string& axis) {
+    return "{ type = 'cylinder', base = " + base + ", axis = " + axis + ", length = 2, radius = 1 }";
+  };
+  const auto x = cylinder("[-1, 0, 0]", "[1, 0, 0]"), y = cylinder("[0, -1, 0]", "[0, 1, 0]"),
+             z = cylinder("[0, 0, -1]", "[0, 0, 1]");
+  const auto boolean = [](const std::string& type, const std::string& parts) {
+    return shape_of("{ type = '" + type + "', parts = [" + parts + "] }", 3)->measure();
+  };
+  // Steinmetz: 16/3 for two cylinders, 8 (2 - √2) for three; the share that triangles cost as in surface.hpp.
+  const double steinmetz = 8.0 * (2.0 - std::sqrt(2.0)), tolerance = 1e-4 * 2.0 * M_PI;
+  CHECK(std::abs(boolean("intersection", x + "," + y) - 16.0 / 3.0) < tolerance);
+  CHECK(std::abs(boolean("intersection", x + "," + y + "," + z) - steinmetz) < 2.0 * tolerance);
+  CHECK(std::abs(boolean("union", x + "," + y + "," + z) - (6.0 * M_PI - 16.0 + steinmetz)) < 3.0 * tolerance);
+  const std::string half = "{ type = 'box', lower = [-2, -2, -2], upper = [2, 0, 2] }",
+                    other_half = "{ type = 'box', lower = [-2, -2, -2], upper = [2, 2, 0] }";
+  CHECK(boolean("difference", "{ type = 'sphere', radius = 1 }," + half + "," + other_half) == Approx(M_PI / 3));
+}
+
 TEST_CASE("Shapes: edges belong to a shape within the tolerance, and to what is left of it when another is cut out") {
   const auto disc = shape_of("{ type = 'disc', radius = 1.0 }", 2);
   CHECK(disc->inside({{1.0 + 0.5e-9, 0, 0}}, 1e-9));
