@@ -28,7 +28,7 @@ void check_folder(const fs::path& folder, bool replace) {
 /// Takes away what an earlier run left, and nothing else.
 void clear(const fs::path& folder) {
   for (const auto* part : {"particles.h5", "snapshots", "history.csv", "solve.json", "run.log", "measurements.json",
-                           "vtu", "pictures", reference_name})
+                           "fragments.csv", "vtu", "pictures", reference_name})
     fs::remove_all(folder / part);
   for (const auto& entry : fs::directory_iterator(folder))
     if (entry.path().extension() == ".pvd") fs::remove(entry.path());

@@ -45,8 +45,8 @@ RunSummary summarise(const Simulation& simulation, const RunTimer& timer, bool i
   summary.cpu_seconds = timer.cpu_seconds();
   double computing = 0.0;
   for (const auto& [name, seconds] : simulation.profile().seconds()) computing += seconds;
-  summary.particle_steps_per_second =
-      static_cast<double>(simulation.steps_taken()) * static_cast<double>(particles.count()) / computing;
+  const double particle_steps = static_cast<double>(simulation.steps_taken()) * static_cast<double>(particles.count());
+  summary.particle_steps_per_second = computing > 0.0 ? particle_steps / computing : 0.0;  // a run may be over already
   summary.peak_memory_bytes = peak_memory();
   summary.bytes_per_particle = (particles.memory() + simulation.scheme().memory()) / particles.count();
   const auto ledger = simulation.scheme().ledger();

@@ -1,0 +1,123 @@
+// The front as a user meets it: its commands, a whole run, a second one, and Ctrl-C.
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <thread>
+
+#include "support/program.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using Catch::Matchers::Contains;
+using tektite::test::content_of;
+using tektite::test::run_in;
+using tektite::test::TemporaryFolder;
+
+/// A folder with the small scene of the wrong scenes and a published value.
+struct Workplace {
+  Workplace() {
+    fs::copy(std::string(WRONG_SCENES) + "/base.toml", folder.file("scene.toml"));
+    std::ofstream(folder.file("reference.toml")) << "[[reference]]\nmeasure = \"peak_pressure\"\nvariant = \"fast\"\n"
+                                                    "published = \"50 GPa\"\nsource = \"a value to compare with\"\n";
+  }
+  tektite::test::Outcome tektite(std::vector<std::string> words) const {
+    words.insert(words.begin(), TEKTITE_PROGRAM);
+    return run_in(folder.path(), words);
+  }
+  bool has(const std::string& file) const { return fs::exists(folder.file(file)); }
+  TemporaryFolder folder;
+};
+
+TEST_CASE("Front: help and version are given for it and for every command") {
+  const Workplace place;
+  CHECK(place.tektite({"--version"}).output == "tektite " TEKTITE_VERSION "\n");
+  for (const std::string command : {"run", "check", "resume", "preprocess", "solve", "postprocess"}) {
+    INFO(command);
+    CHECK_THAT(place.tektite({"help"}).output, Contains("\n  " + command + " "));
+    const auto help = place.tektite({command, "--help"});
+    CHECK(help.code == 0);
+    CHECK_THAT(help.output, Catch::StartsWith("Usage: tektite"));
+    CHECK(place.tektite({"help", command}).output == help.output);
+    CHECK(place.tektite({command, "--version"}).output == "tektite " TEKTITE_VERSION "\n");
+  }
+}
+
+TEST_CASE("Front: an unknown command is answered with the known ones") {
+  const Workplace place;
+  const auto outcome = place.tektite({"compute", "scene.toml"});
+  CHECK(outcome.code == 2);
+  CHECK_THAT(outcome.faults, Contains("\"compute\"") && Contains("allowed: run, check, resume"));
+  CHECK(place.tektite({}).code == 2);
+}
+
+TEST_CASE("Front: a run leaves its state, numbers and the table of ours beside published") {
+  const Workplace place;
+  const auto outcome = place.tektite({"run", "scene.toml", "--variant", "fast", "--threads", "1"});
+  INFO(outcome.faults);
+  REQUIRE(outcome.code == 0);
+  CHECK_THAT(outcome.output, Contains("50 GPa") && Contains("a value to compare with"));
+  for (const std::string part :
+       {"particles.h5", "snapshots", "history.csv", "solve.json", "run.log", "measurements.json", "vtu", "small.pvd"}) {
+    INFO(part);
+    CHECK(place.has("runs/small-fast/" + part));
+  }
+  CHECK_THAT(content_of(place.folder.file("runs/small-fast/measurements.json")), Contains("\"fast\""));
+
+  SECTION("a second run does not overwrite it unasked") {
+    const auto again = place.tektite({"run", "scene.toml", "--variant", "fast"});
+    CHECK(again.code == 2);
+    CHECK_THAT(again.faults, Contains("runs/small-fast") && Contains("holds a run already") && Contains("--replace"));
+    CHECK(place.tektite({"run", "scene.toml", "--variant", "fast", "--replace"}).code == 0);
+  }
+  SECTION("a wrong scene leaves it as it was") {
+    const auto before = content_of(place.folder.file("runs/small-fast/history.csv"));
+    const auto wrong = place.tektite({"run", "scene.toml", "--variant", "fast", "--replace", "--set", "time.end=-1"});
+    CHECK(wrong.code == 2);
+    CHECK(content_of(place.folder.file("runs/small-fast/history.csv")) == before);
+  }
+  SECTION("to resume it when it is over changes nothing and measures again") {
+    const auto before = content_of(place.folder.file("runs/small-fast/history.csv"));
+    const auto resumed = place.tektite({"resume", "runs/small-fast"});
+    INFO(resumed.faults);
+    CHECK(resumed.code == 0);
+    CHECK_THAT(resumed.output, Contains("a value to compare with"));
+    CHECK(content_of(place.folder.file("runs/small-fast/history.csv")) == before);
+  }
+}
+
+TEST_CASE("Front: Ctrl-C ends a run with a snapshot from which it resumes") {
+  const Workplace place;
+  const pid_t child = ::fork();
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    ::setpgid(0, 0);  // a group of its own, as a terminal gives to what is run in it
+    if (::chdir(place.folder.path().c_str()) != 0 || !std::freopen("/dev/null", "w", stdout) ||
+        !std::freopen("/dev/null", "w", stderr))
+      ::_exit(127);
+    ::execl(TEKTITE_PROGRAM, TEKTITE_PROGRAM, "run", "scene.toml", "-o", "out", "--set", "time.end=1 s", nullptr);
+    ::_exit(127);
+  }
+  ::setpgid(child, child);
+  // The run would take a second of impact, hours of computing; it is under way once history.csv has grown.
+  const auto history = place.folder.file("out/history.csv");
+  constexpr int most_waits = 600;
+  for (int wait = 0; wait < most_waits && content_of(history).size() < 2000; ++wait)
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  ::kill(-child, SIGINT);
+  int status = 0;
+  REQUIRE(::waitpid(child, &status, 0) == child);
+  REQUIRE(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 1);
+  CHECK_FALSE(place.has("out/measurements.json"));
+  const auto snapshots =
+      std::distance(fs::directory_iterator(place.folder.file("out/snapshots")), fs::directory_iterator());
+  CHECK(snapshots >= 2);
+}
+
+}  // namespace
