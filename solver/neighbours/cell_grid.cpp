@@ -33,11 +33,14 @@ std::size_t CellGrid<D>::cell_of(const Vector<double, D>& x) const {
 }
 
 template <int D>
-auto CellGrid<D>::around(const Vector<double, D>& x) const -> std::array<std::size_t, (D == 1   ? 3
-                                                                                       : D == 2 ? 9
-                                                                                                : 27)> {
-  const auto centre = coordinates(x);
-  std::array<std::size_t, (D == 1 ? 3 : D == 2 ? 9 : 27)> cells;
+auto CellGrid<D>::around(std::size_t cell) const -> std::array<std::size_t, around_count> {
+  std::array<std::int64_t, D> centre;
+  auto rest_of_cell = static_cast<std::int64_t>(cell);
+  for (int k = 0; k < D; ++k) {
+    centre[k] = rest_of_cell % size_[k];
+    rest_of_cell /= size_[k];
+  }
+  std::array<std::size_t, around_count> cells;
   for (std::size_t n = 0; n < cells.size(); ++n) {
     auto c = centre;
     for (std::size_t k = 0, rest = n; k < D; ++k, rest /= 3) c[k] += static_cast<std::int64_t>(rest % 3) - 1;

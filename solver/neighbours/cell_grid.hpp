@@ -25,8 +25,9 @@ class CellGrid {
   std::span<const std::uint32_t> members(std::size_t cell) const {
     return {members_.data() + first_[cell], members_.data() + first_[cell + 1]};
   }
-  /// The 3^D cells about a place, in a fixed order.
-  std::array<std::size_t, (D == 1 ? 3 : D == 2 ? 9 : 27)> around(const Vector<double, D>& x) const;
+  static constexpr std::size_t around_count = D == 1 ? 3 : D == 2 ? 9 : 27;
+  /// A cell and those that touch it, in a fixed order.
+  std::array<std::size_t, around_count> around(std::size_t cell) const;
 
  private:
   std::array<std::int64_t, D> coordinates(const Vector<double, D>& x) const;

@@ -1,10 +1,9 @@
 #include "neighbours/neighbourhood.hpp"
 
 #include <algorithm>
-#include <limits>
 
+#include "parallel/for_each.hpp"
 #include "parallel/reduce.hpp"
-#include "passes/displacement_box.hpp"
 
 namespace tektite {
 namespace {
@@ -12,6 +11,9 @@ namespace {
 /// Skin as a part of the support: a thicker one makes lists live longer and hold more that is not near. 0.2 was the
 /// fastest of 0.1 to 0.5 on the hvi_2d example; the answer does not depend on it beyond round-off.
 constexpr double skin_fraction = 0.2;
+
+/// Side of a region in supports: particles of regions that do not touch were at least this far apart.
+constexpr double region_side = 4.0;
 
 /// The skin has to outlast at least this many half steps at the present speeds.
 constexpr double least_half_steps = 4.0;
@@ -22,18 +24,12 @@ template <int D>
 Neighbourhood<D>::Neighbourhood(Particles& particles, double support, std::vector<SymmetryPlane> planes)
     : particles_(particles), support_(support), mirror_(std::move(planes)) {}
 
-/// By how much two particles may have come nearer since the last search, at the middle of a step dt.
 template <int D>
-double Neighbourhood<D>::closest_approach(double dt) const {
-  const Particles& particles = particles_;
-  const DisplacementBox<D> pass{particles.vectors<D>(Field::position), particles.vectors<D>(Field::velocity),
-                                particles.vectors<D>(Field::acceleration), particles.vectors<D>(Field::search_position),
-                                0.5 * dt};
-  const auto box = reduce(particles.count(), typename DisplacementBox<D>::Box{}, pass, DisplacementBox<D>::join);
+double Neighbourhood<D>::diagonal(const typename DisplacementBox<D>::Box& box) const {
   double square = 0.0;
   for (int k = 0; k < D; ++k) {
     double width = box.upper[k] - box.lower[k];
-    for (const auto& plane : mirror_.planes())
+    for (const auto& plane : mirror_.planes())  // a particle and an image move against each other
       if (plane.axis == k) width = 2.0 * std::max(std::abs(box.upper[k]), std::abs(box.lower[k]));
     square += width * width;
   }
@@ -41,12 +37,43 @@ double Neighbourhood<D>::closest_approach(double dt) const {
 }
 
 template <int D>
+auto Neighbourhood<D>::approach(double dt) -> Approach {
+  using Box = typename DisplacementBox<D>::Box;
+  const Particles& particles = particles_;
+  const DisplacementBox<D> pass{particles.vectors<D>(Field::position), particles.vectors<D>(Field::velocity),
+                                particles.vectors<D>(Field::acceleration), particles.vectors<D>(Field::search_position),
+                                0.5 * dt};
+  boxes_.resize(regions_.cells());
+  for_each(regions_.cells(), [&](std::size_t region) {
+    boxes_[region] = Box{};
+    for (const auto i : regions_.members(region)) pass(boxes_[region], i);
+  });
+  const auto widest = [&](double& near, std::size_t region) {
+    if (boxes_[region].empty()) return;
+    for (const auto other : regions_.around(region)) {
+      Box both = boxes_[region];
+      DisplacementBox<D>::join(both, boxes_[other]);
+      near = std::max(near, diagonal(both));
+    }
+  };
+  const double near =
+      reduce(regions_.cells(), 0.0, widest, [](double& whole, double part) { whole = std::max(whole, part); });
+  Box all{};
+  for (const auto& box : boxes_) DisplacementBox<D>::join(all, box);
+  return {near, diagonal(all)};
+}
+
+template <int D>
 bool Neighbourhood<D>::prepare(double dt) {
-  if (reach_ > 0.0 && closest_approach(dt) <= reach_ - support_) return false;
+  if (reach_ > 0.0) {
+    const auto nearer = approach(dt);
+    if (nearer.near <= reach_ - support_ && nearer.far <= (region_side - 1.0) * support_) return false;
+  }
   sort();
   const auto positions = particles_.reals(Field::position);
   std::copy(positions.begin(), positions.end(), particles_.reals(Field::search_position).begin());
-  reach_ = support_ + std::max(skin_fraction * support_, least_half_steps * closest_approach(dt));
+  find_regions();
+  reach_ = support_ + std::max(skin_fraction * support_, least_half_steps * approach(dt).near);
   list();
   return true;
 }
@@ -54,6 +81,7 @@ bool Neighbourhood<D>::prepare(double dt) {
 template <int D>
 void Neighbourhood<D>::restore(double reach) {
   reach_ = reach;
+  find_regions();
   list();
 }
 
@@ -73,12 +101,19 @@ void Neighbourhood<D>::sort() {
 }
 
 template <int D>
+void Neighbourhood<D>::find_regions() {
+  const Particles& particles = particles_;
+  regions_.build({particles.vectors<D>(Field::search_position), particles.count()}, region_side * support_);
+}
+
+template <int D>
 void Neighbourhood<D>::list() {
   const auto* x = particles_.vectors<D>(Field::search_position);
   places_.assign(x, x + particles_.count());
   mirror_.find(places_, reach_);
-  grid_.build(places_, reach_);
-  pairs_.build<D>(grid_, places_, particles_.count(), reach_);
+  CellGrid<D> grid;
+  grid.build(places_, reach_);
+  pairs_.build<D>(grid, places_, particles_.count(), reach_);
 }
 
 template <int D>

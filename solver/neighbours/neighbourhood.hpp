@@ -1,7 +1,8 @@
 #pragma once
-// Keeps the particles ordered in space and the list of pairs valid: it is made anew when two particles may have come
-// nearer by more than the skin. Order, list and images follow from the search positions and the reach alone, both of
-// which are saved, so a restart goes on with the same list.
+// Keeps the particles ordered in space and the list of pairs valid: it is made anew when two particles that were not
+// near may have come near. That is judged region by region, so that fast fragments do not count where they are not.
+// Order, list and images follow from the search positions and the reach alone, both of which are saved, so a restart
+// goes on with the same list.
 
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "core/particles.hpp"
 #include "neighbours/cell_grid.hpp"
 #include "neighbours/pair_list.hpp"
+#include "passes/displacement_box.hpp"
 
 namespace tektite {
 
@@ -31,15 +33,23 @@ class Neighbourhood {
   std::size_t memory() const;
 
  private:
-  double closest_approach(double dt) const;
+  /// By how much two particles may have come nearer since the last search, at the middle of a step dt.
+  struct Approach {
+    double near;  ///< those of the same or of touching regions, m
+    double far;   ///< any two, m
+  };
+  Approach approach(double dt);
+  double diagonal(const typename DisplacementBox<D>::Box& box) const;
   void sort();
+  void find_regions();
   void list();
 
   Particles& particles_;
   double support_;
   double reach_ = 0.0;
   Mirror<D> mirror_;
-  CellGrid<D> grid_;
+  CellGrid<D> regions_;
+  std::vector<typename DisplacementBox<D>::Box> boxes_;
   PairList pairs_;
   std::vector<Vector<double, D>> places_;
 };

@@ -15,13 +15,18 @@ struct Candidates {
   std::vector<std::uint32_t> index;
   std::vector<double> x[D];
 
-  void gather(const CellGrid<D>& grid, std::span<const Vector<double, D>> positions, const Vector<double, D>& place) {
-    index.clear();
-    for (auto& coordinate : x) coordinate.clear();
-    for (const auto cell : grid.around(place))
+  void gather(const CellGrid<D>& grid, std::span<const Vector<double, D>> positions, std::size_t centre) {
+    const auto cells = grid.around(centre);
+    std::size_t count = 0;
+    for (const auto cell : cells) count += grid.members(cell).size();
+    index.resize(count);
+    for (auto& coordinate : x) coordinate.resize(count);
+    std::size_t n = 0;
+    for (const auto cell : cells)
       for (const auto j : grid.members(cell)) {
-        index.push_back(j);
-        for (int k = 0; k < D; ++k) x[k].push_back(positions[j][k]);
+        index[n] = j;
+        for (int k = 0; k < D; ++k) x[k][n] = positions[j][k];
+        ++n;
       }
   }
 };
@@ -38,7 +43,7 @@ void build_block(PairList::Block& block, std::size_t end, const CellGrid<D>& gri
   for (std::size_t i = block.begin; i < end; ++i) {
     const auto place = positions[i];
     if (const auto cell = grid.cell_of(place); cell != last_cell) {
-      near.gather(grid, positions, place);
+      near.gather(grid, positions, cell);
       distance.resize(near.index.size());
       last_cell = cell;
     }

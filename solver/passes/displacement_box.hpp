@@ -19,6 +19,7 @@ struct DisplacementBox {
         upper[k] = -lower[k];
       }
     }
+    bool empty() const { return lower[0] > upper[0]; }
   };
 
   const Vector<double, D>* position;

@@ -45,7 +45,7 @@ class EulerianScheme final : public Scheme {
     }
     materials_.start();
     allocate_scratch();
-    evaluate_state();
+    materials_.for_each_run([&](const auto& run) { evaluate_state(run); });
     neighbourhood_.prepare(0.0);
     evaluate_rates(0.0);
   }
@@ -60,7 +60,6 @@ class EulerianScheme final : public Scheme {
     search(dt);
     evaluate_rates(dt);
     advance(dt);
-    evaluate_state();
   }
 
   TimeStep stable_step() const override {
@@ -130,22 +129,27 @@ class EulerianScheme final : public Scheme {
     const auto scope = profile_.time("predict");
     auto& p = particles_;
     records_.resize(p.count() + neighbourhood_.mirror().images());
-    if constexpr (plane_stress) {
-      if (half_step > 0.0) materials_.stretch_across(half_step);
-    }
-    for_each(all(), PredictMotion<D, plane_stress>{
-                        p.template vectors<D>(Field::position), p.template vectors<D>(Field::velocity),
-                        p.template vectors<D>(Field::acceleration), p.template tensors<D>(Field::velocity_gradient),
-                        p.template symmetrics<D>(Field::deviatoric_stress), p.scalars(Field::density),
-                        p.scalars(Field::specific_internal_energy), p.scalars(Field::pressure),
-                        p.scalars(Field::viscous_power), across_rate(), half_step, records_.data(),
-                        p.scalars(Field::half_density), p.scalars(Field::half_energy)});
-    materials_.evaluate_eos(Field::half_density, Field::half_energy, Field::half_pressure, Field::half_sound_speed);
-    materials_.predict_strength(half_step);
-    for_each(all(), AssembleRecords<D, plane_stress>{
-                        p.scalars(Field::mass), p.scalars(Field::half_density), p.scalars(Field::half_pressure),
-                        p.scalars(Field::half_sound_speed), p.template symmetrics<D>(Field::half_deviatoric_stress),
-                        thickness(), across_rate(), half_step, p.scalars(Field::smoothing_length), records_.data()});
+    materials_.for_each_run([&](const auto& run) {
+      if constexpr (plane_stress) {
+        if (half_step > 0.0) materials_.stretch_across(run, half_step);
+      }
+      run_through(run.range,
+                  PredictMotion<D, plane_stress>{
+                      p.template vectors<D>(Field::position), p.template vectors<D>(Field::velocity),
+                      p.template vectors<D>(Field::acceleration), p.template tensors<D>(Field::velocity_gradient),
+                      p.template symmetrics<D>(Field::deviatoric_stress), p.scalars(Field::density),
+                      p.scalars(Field::specific_internal_energy), p.scalars(Field::pressure),
+                      p.scalars(Field::viscous_power), across_rate(), half_step, records_.data(),
+                      p.scalars(Field::half_density), p.scalars(Field::half_energy)});
+      materials_.evaluate_eos(run, Field::half_density, Field::half_energy, Field::half_pressure,
+                              Field::half_sound_speed);
+      materials_.predict_strength(run, half_step);
+      run_through(run.range,
+                  AssembleRecords<D, plane_stress>{
+                      p.scalars(Field::mass), p.scalars(Field::half_density), p.scalars(Field::half_pressure),
+                      p.scalars(Field::half_sound_speed), p.template symmetrics<D>(Field::half_deviatoric_stress),
+                      thickness(), across_rate(), half_step, p.scalars(Field::smoothing_length), records_.data()});
+    });
     neighbourhood_.mirror().fill(records_, p.count());
   }
 
@@ -159,30 +163,32 @@ class EulerianScheme final : public Scheme {
                       p.scalars(Field::viscous_power), p.scalars(Field::viscous_signal)});
   }
 
+  /// The whole state at the end of a step.
   void advance(double dt) {
     const auto scope = profile_.time("advance");
     auto& p = particles_;
-    if constexpr (plane_stress) {
-      materials_.stretch_across(dt);
-      for_each(all(), AdvanceThickness{p.scalars(Field::across_rate), dt, p.scalars(Field::thickness)});
-    }
-    for_each(all(), AdvanceMotion<D, plane_stress>{
-                        records_.data(), p.template vectors<D>(Field::acceleration),
-                        p.template tensors<D>(Field::velocity_gradient), p.scalars(Field::viscous_power), across_rate(),
-                        dt, p.template vectors<D>(Field::position), p.template vectors<D>(Field::velocity),
-                        p.scalars(Field::density), p.scalars(Field::specific_internal_energy),
-                        p.scalars(Field::viscous_work)});
-    materials_.advance_strength(dt);
+    materials_.for_each_run([&](const auto& run) {
+      if constexpr (plane_stress) {
+        materials_.stretch_across(run, dt);
+        run_through(run.range, AdvanceThickness{p.scalars(Field::across_rate), dt, p.scalars(Field::thickness)});
+      }
+      run_through(run.range, AdvanceMotion<D, plane_stress>{
+                                 records_.data(), p.template vectors<D>(Field::acceleration),
+                                 p.template tensors<D>(Field::velocity_gradient), p.scalars(Field::viscous_power),
+                                 across_rate(), dt, p.template vectors<D>(Field::position),
+                                 p.template vectors<D>(Field::velocity), p.scalars(Field::density),
+                                 p.scalars(Field::specific_internal_energy), p.scalars(Field::viscous_work)});
+      materials_.advance_strength(run, dt);
+      evaluate_state(run);
+    });
   }
 
-  /// Pressure and wave speeds at the end of a step.
-  void evaluate_state() {
-    const auto scope = profile_.time("state");
-    materials_.evaluate_eos(Field::density, Field::specific_internal_energy, Field::pressure, Field::sound_speed);
-    materials_.evaluate_wave_speed();
+  /// Pressure and wave speeds.
+  void evaluate_state(const typename MaterialPasses<D, plane_stress>::Run& run) const {
+    materials_.evaluate_eos(run, Field::density, Field::specific_internal_energy, Field::pressure, Field::sound_speed);
+    materials_.evaluate_wave_speed(run);
   }
 
-  Range all() const { return {0, particles_.count()}; }
   const double* across_rate() { return plane_stress ? particles_.scalars(Field::across_rate) : nullptr; }
   const double* thickness() { return plane_stress ? particles_.scalars(Field::thickness) : nullptr; }
 
