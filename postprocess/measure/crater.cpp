@@ -1,15 +1,14 @@
-// The diameter of the crater or hole that a projectile leaves in a target.
-//
-// Around the flight line, the matter of the coherent target is compared with what was there at the start, ring by ring
-// (in the plane: in pairs of strips). The edge is the innermost ring that is half full again, as on a radiograph: a
-// strand of particles in front of a torn wall does not decide the diameter, and the distance between the quarter-full
-// and the three-quarters-full ring tells how sharp the edge is. Where the target is perforated, matter counts over the
-// whole original thickness; where it is not, in one spacing at the original front surface. What has left the original
-// thickness (lips, bulges) does not count, and neither do loose fragments: the coherent target is what still hangs on
-// the rim, its outermost tenth. The target's surface is taken to lie across the flight line (normal impact).
+// The diameter of the crater that a projectile leaves in a target: the widest opening of the cavity between the
+// target's original front surface and its deepest point, be it a pit, a hole with curled lips or the bulge of a thin
+// plate that is drawn out ahead of the projectile. The cavity is followed along the flight line station by station; at
+// each, the innermost coherent matter is looked for in every direction around the line, so that a strand of particles
+// across one station does not decide the diameter. What was thrown out in front of the target does not count, and
+// neither do loose fragments: the coherent target is what still hangs on the rim, its outermost tenth. The target's
+// surface is taken to lie across the flight line (normal impact).
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/error.hpp"
 #include "postprocess/measure/flight.hpp"
@@ -18,10 +17,11 @@ namespace tektite {
 namespace {
 
 struct View {
-  Point centre;      ///< a point of the flight line
-  Point direction;   ///< of flight
-  double spacing;    ///< of the target
-  Extent thickness;  ///< of the target at the start, along the direction
+  Point centre;             ///< a point of the flight line
+  Point direction;          ///< of flight
+  double spacing;           ///< of the target
+  double smoothing_length;  ///< of the target, the largest
+  Extent thickness;         ///< of the target at the start, along the direction
 
   Point across(const Point& x) const {
     const auto apart = x - centre;
@@ -61,77 +61,84 @@ std::vector<bool> hangs_on_rim(const Event& event, const Fragments& fragments, s
   return hangs;
 }
 
-/// Mass per ring around the flight line.
-class Profile {
- public:
-  /// Rings are a quarter of a spacing wide.
-  explicit Profile(double spacing) : spacing_(spacing), width_(0.25 * spacing) {}
-
-  /// A particle's matter reaches half a spacing to either side of its place.
-  void add(double radius, double mass) {
-    const double low = std::max(0.0, radius - 0.5 * spacing_);
-    const double high = radius + 0.5 * spacing_;
-    const auto last = static_cast<std::size_t>(high / width_);
-    if (rings_.size() <= last) rings_.resize(last + 1, 0.0);
-    for (auto k = static_cast<std::size_t>(low / width_); k <= last; ++k) {
-      const double begin = std::max(low, width_ * static_cast<double>(k));
-      const double end = std::min(high, width_ * static_cast<double>(k + 1));
-      rings_[k] += mass * std::max(0.0, end - begin) / (high - low);
-    }
-  }
-
-  /// The innermost radius at which this profile holds the share `part` of `before`; throws RunError where none does.
-  double edge(const Profile& before, double part) const {
-    for (std::size_t k = 0; k < std::min(rings_.size(), before.rings_.size()); ++k)
-      if (before.rings_[k] > 0.0 && rings_[k] >= part * before.rings_[k]) return width_ * static_cast<double>(k);
-    throw RunError("the coherent target has left its original place");
-  }
-
- private:
-  double spacing_;
-  double width_;
-  std::vector<double> rings_;
-};
-
-/// Profile of the particles that `chosen(i)` picks within a layer.
-template <class Chosen>
-Profile profile_of(const Whole& whole, const View& view, const Extent& depth, const Chosen& chosen) {
-  Profile profile(view.spacing);
-  for (std::size_t i = 0; i < whole.count(); ++i) {
-    const double along = dot(whole.position[i], view.direction);
-    if (chosen(i) && along >= depth.low && along <= depth.high)
-      profile.add(norm(view.across(whole.position[i])), whole.mass[i]);
-  }
-  return profile;
-}
-
-struct Crater {
-  double diameter;
-  double blur;   ///< between the diameters at which the target is a quarter and three quarters full
-  double depth;  ///< along the direction, where it is drawn
-};
-
-Crater crater_of(const Event& event, const Fragments& fragments, std::int32_t target, const View& view) {
-  const auto hangs = hangs_on_rim(event, fragments, target, view);
-  const auto opening_in = [&](const Extent& layer, double where) {
-    const auto before =
-        profile_of(event.initial, view, layer, [&](std::size_t i) { return event.initial.body[i] == target; });
-    const auto now = profile_of(event.last, view, layer, [&](std::size_t i) { return hangs[fragments.label[i]]; });
-    return Crater{2.0 * now.edge(before, 0.5), 2.0 * (now.edge(before, 0.75) - now.edge(before, 0.25)), where};
-  };
-  const auto& thickness = view.thickness;
-  const auto through = opening_in(thickness, 0.5 * (thickness.low + thickness.high));
-  // An opening below two spacings is the play between particles, not a hole.
-  if (through.diameter > 2.0 * view.spacing) return through;
-  return opening_in({thickness.low, thickness.low + view.spacing}, thickness.low);
-}
-
 /// A unit vector across the flight, in the plane of a plane scene.
 Point side_of(const View& view) {
   const auto& n = view.direction;
   const double length = std::hypot(n[0], n[1]);
   if (length < 0.5) return {1.0, 0.0, 0.0};  // flight along z, up to 30 degrees
   return {-n[1] / length, n[0] / length, 0.0};
+}
+
+/// In which direction around the flight line a place lies: two sides in the plane, twelve sectors in space.
+class Sectors {
+ public:
+  Sectors(const View& view, int dimensions)
+      : first_(side_of(view)), second_(cross(view.direction, first_)), count_(dimensions == 2 ? 2 : 12) {}
+
+  std::size_t count() const { return count_; }
+  std::size_t of(const Point& across) const {
+    const double along_first = dot(across, first_);
+    if (count_ == 2) return along_first < 0.0 ? 1 : 0;
+    const double turn = std::atan2(dot(across, second_), along_first) / (2.0 * std::numbers::pi) + 0.5;
+    return std::min(static_cast<std::size_t>(turn * static_cast<double>(count_)), count_ - 1);
+  }
+
+ private:
+  static Point cross(const Point& a, const Point& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  }
+  Point first_, second_;
+  std::size_t count_;
+};
+
+struct Crater {
+  double diameter = -1.0;
+  double depth = 0.0;  ///< along the direction, where it is widest
+};
+
+/// What surrounds the flight line in one layer: the distance of the innermost coherent particle in each sector.
+struct Station {
+  double depth;  ///< of its middle, behind the original front surface
+  std::vector<double> inner;
+
+  /// Twice the mean distance, less half a spacing of matter on either side; infinite where a sector is empty.
+  double opening(double spacing) const {
+    double mean = 0.0;
+    for (const double distance : inner) mean += distance / static_cast<double>(inner.size());
+    return std::max(0.0, 2.0 * mean - spacing);
+  }
+};
+
+/// Stations are as thick as two linked particles may be apart and half as far from each other, so that a sheet that
+/// hangs together is seen at each; the layer of one spacing at the front surface comes first, for shallow pits.
+Crater crater_of(const Event& event, const Fragments& fragments, std::int32_t target, const View& view) {
+  const auto hangs = hangs_on_rim(event, fragments, target, view);
+  const Sectors sectors(view, dimensions_of(event.last_snapshot.particles.space()));
+  const std::vector<double> nothing(sectors.count(), limits::infinite);
+  const double step = 0.5 * link_of_support * view.smoothing_length;
+  std::vector<Station> stations{{0.5 * view.spacing, nothing}};
+  for (std::size_t i = 0; i < event.last.count(); ++i) {
+    const double depth = dot(event.last.position[i], view.direction) - view.thickness.low;
+    if (!hangs[fragments.label[i]] || depth < 0.0) continue;
+    const auto across = view.across(event.last.position[i]);
+    const auto add_to = [&](std::size_t station) {
+      while (stations.size() <= station) stations.push_back({step * static_cast<double>(stations.size()), nothing});
+      auto& distance = stations[station].inner[sectors.of(across)];
+      distance = std::min(distance, norm(across));
+    };
+    if (depth < view.spacing) add_to(0);
+    const auto half = static_cast<std::size_t>(depth / step);  // station k reaches from (k - 1) to (k + 1) steps
+    if (half > 0) add_to(half);
+    add_to(half + 1);
+  }
+  Crater widest;
+  for (const auto& station : stations) {
+    const double opening = station.opening(view.spacing);
+    if (std::isfinite(opening) && opening > widest.diameter) widest = {opening, view.thickness.low + station.depth};
+  }
+  if (widest.diameter < 0.0)
+    throw RunError("the coherent target does not surround the flight line anywhere behind its original front surface");
+  return widest;
 }
 
 }  // namespace
@@ -150,15 +157,18 @@ Measure read_crater_diameter(Section& section, const Declared& declared) {
     view.centre = centre_of_mass(event.initial, flying);
     view.direction = flight_direction(event.initial, flying, axis);
     view.spacing = event.initial.bodies[static_cast<std::size_t>(target)].spacing;
+    view.smoothing_length = 0.0;
+    for (std::size_t i = 0; i < event.last.count(); ++i)
+      if (event.last.body[i] == target)
+        view.smoothing_length = std::max(view.smoothing_length, event.last.smoothing_length[i]);
     view.thickness =
         extent_along(event.initial, view.direction, [&](std::size_t i) { return event.initial.body[i] == target; });
 
     const auto wide = crater_of(event, event.fragments, target, view);
     const auto narrow = crater_of(event, event.narrow_fragments, target, view);
     Measured measured{wide.diameter, event.last.time, 0.0, {}};
-    // Either edge is known to half a spacing and is as blurred as the profile tells; the rest is what the choice of the
-    // link length decides.
-    measured.uncertainty = view.spacing + 0.5 * wide.blur + std::abs(wide.diameter - narrow.diameter);
+    // Either edge is known to half a spacing; the rest is what the choice of the link length decides.
+    measured.uncertainty = view.spacing + std::abs(wide.diameter - narrow.diameter);
     const auto on_line = view.centre + (wide.depth - dot(view.centre, view.direction)) * view.direction;
     const auto radius = 0.5 * wide.diameter * side_of(view);
     measured.drawing = Segment{on_line - radius, on_line + radius};

@@ -1,8 +1,9 @@
-// How long the projectile is in the end, and how far it came. Both are of the coherent projectile: spalled particles
+// How thick the projectile is in the end, and how far it came. Both are of the coherent projectile: spalled particles
 // fly far ahead of it and behind it, and connectivity leaves them out.
 
 #include <cmath>
 
+#include "core/error.hpp"
 #include "postprocess/measure/flight.hpp"
 
 namespace tektite {
@@ -11,6 +12,18 @@ namespace {
 Extent coherent_extent(const Whole& whole, const Fragments& fragments, std::int32_t body, const Point& direction) {
   const auto coherent = fragments.heaviest(body);
   return extent_along(whole, direction, [&](std::size_t i) { return fragments.label[i] == coherent; });
+}
+
+/// The same on the flight line through the piece's centre of mass: of the particles whose support holds the line.
+Extent extent_on_line(const Whole& whole, const Fragments& fragments, std::int32_t body, const Point& direction) {
+  const auto coherent = fragments.heaviest(body);
+  const auto centre = fragments.list[coherent].centre;
+  return extent_along(whole, direction, [&](std::size_t i) {
+    if (fragments.label[i] != coherent) return false;
+    const auto apart = whole.position[i] - centre;
+    const auto across = apart - dot(apart, direction) * direction;
+    return norm(across) < link_of_support * whole.smoothing_length[i];
+  });
 }
 
 /// A segment along the flight line between two positions on it.
@@ -39,17 +52,21 @@ Flight final_flight(const Event& event, const std::string& name, const std::opti
 
 }  // namespace
 
-/// Extension of the coherent projectile along its direction of flight in the last snapshot.
+/// Extension of the coherent projectile in the last snapshot: its thickness on the flight line. A rim that is dragged
+/// behind a flattened projectile is not thickness; by how much it reaches farther is not part of the uncertainty.
 Measure read_projectile_extension(Section& section, const Declared& declared) {
   const auto body = read_body(section, "body", declared);
   const auto axis = read_axis(section, declared.space);
   return [=](const Event& event) {
     const auto flight = final_flight(event, body, axis);
-    Measured measured{flight.wide.length(), event.last.time, 0.0, {}};
+    const auto wide = extent_on_line(event.last, event.fragments, flight.body, flight.direction);
+    const auto narrow = extent_on_line(event.last, event.narrow_fragments, flight.body, flight.direction);
+    if (!(wide.length() > 0.0)) throw RunError("the coherent projectile has a hole on its flight line");
+    Measured measured{wide.length(), event.last.time, 0.0, {}};
     // Either end is known to half a spacing; the rest is what the choice of the link length decides.
-    measured.uncertainty = flight.spacing + std::abs(flight.wide.length() - flight.narrow.length());
+    measured.uncertainty = flight.spacing + std::abs(wide.length() - narrow.length());
     const auto centre = event.fragments.list[event.fragments.heaviest(flight.body)].centre;
-    measured.drawing = along_flight(centre, flight.direction, flight.wide.low, flight.wide.high);
+    measured.drawing = along_flight(centre, flight.direction, wide.low, wide.high);
     return measured;
   };
 }

@@ -82,7 +82,7 @@ TEST_CASE("Travel: a body at rest has no direction of flight, and the message sa
   CHECK_THROWS_WITH(take("projectile_travel", event), Catch::Contains("give the measure an axis"));
 }
 
-// Radii are found to a ring of a quarter of a spacing, diameters to half a spacing.
+// The innermost particle tells each edge to half a spacing; a diameter is known to half a spacing where both agree.
 TEST_CASE("Crater: the hole in a plate has the diameter that was cut out, in every orientation") {
   for (const auto& of : orientations({Space::plane_strain, {12e-3, 0.0, 30e-3, false}, false, as_it_is, {}})) {
     const auto measured = take("crater_diameter", event_of(of));
@@ -116,9 +116,9 @@ TEST_CASE("Crater: a round hole in space has its diameter to within a spacing, i
   }
 }
 
-TEST_CASE("Crater: where the whole target has gone, that is told") {
+TEST_CASE("Crater: where nothing of the target is left behind its front surface, that is told") {
   auto event = event_of({Space::plane_strain, {12e-3, 0.0, 30e-3, false}, false, as_it_is, {}});
-  for (std::size_t i = 0; i < event.last.count(); ++i) event.last.position[i][0] += 1.0;
+  for (std::size_t i = 0; i < event.last.count(); ++i) event.last.position[i][0] -= 1.0;
   CHECK_THROWS_AS(take("crater_diameter", event), RunError);
 }
 
