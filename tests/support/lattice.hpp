@@ -2,6 +2,7 @@
 // Particles and runs made by hand: bodies on square lattices, and the solver's own run loop over them.
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <numeric>
 #include <string>
@@ -12,6 +13,9 @@
 
 namespace tektite::test {
 
+/// Smoothing length over spacing where a test asks for no other.
+inline constexpr double smoothing_ratio = 1.4;
+
 /// A body whose particles stand at first + k δ, 0 ≤ k < count along each axis.
 struct Lattice {
   std::string body;
@@ -21,10 +25,8 @@ struct Lattice {
   std::vector<int> count;
   std::vector<double> velocity;                                  ///< m/s
   std::function<bool(const double* position)> inside = nullptr;  ///< everywhere where there is none
+  double ratio = smoothing_ratio;
 };
-
-/// Smoothing length over spacing of all particles made here.
-inline constexpr double smoothing_ratio = 1.4;
 
 namespace lattice {
 
@@ -67,7 +69,7 @@ inline Particles particles_on(Space space, const std::vector<Lattice>& lattices,
   for (std::size_t b = 0; b < lattices.size(); ++b)
     for (std::size_t i = bodies[b].range.begin; i < bodies[b].range.end; ++i) {
       particles.scalars(Field::mass)[i] = density * std::pow(lattices[b].spacing, particles.dimensions());
-      particles.scalars(Field::smoothing_length)[i] = smoothing_ratio * lattices[b].spacing;
+      particles.scalars(Field::smoothing_length)[i] = lattices[b].ratio * lattices[b].spacing;
       for (std::size_t k = 0; k < d; ++k) {
         particles.reals(Field::position)[i * d + k] = places[b][i - bodies[b].range.begin][k];
         particles.reals(Field::velocity)[i * d + k] = lattices[b].velocity[k];

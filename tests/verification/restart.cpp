@@ -1,0 +1,100 @@
+// A run does not depend, in any bit, on the number of threads or on having been interrupted.
+#include <omp.h>
+
+#include <array>
+#include <bit>
+#include <catch2/catch.hpp>
+
+#include "support/impact.hpp"
+#include "support/temporary_folder.hpp"
+
+using namespace tektite;
+
+namespace {
+
+constexpr std::array spaces{Space::line, Space::plane_strain, Space::plane_stress, Space::solid};
+constexpr int steps = 40;  // several neighbour lists long
+
+/// Takes steps on so many threads.
+void take_steps_on(int threads, Simulation& simulation, int count) {
+  const int before = omp_get_max_threads();
+  omp_set_num_threads(threads);
+  test::take_steps(simulation, count);
+  omp_set_num_threads(before);
+}
+
+/// Every bit of every field that a snapshot keeps, and every number of the state.
+void check_same(Simulation& a, Simulation& b) {
+  CHECK(a.save({}).state == b.save({}).state);
+  const auto &p = a.particles(), &q = b.particles();
+  for (const auto& row : field_table) {
+    if (row.keep == Keep::scratch) continue;
+    INFO(row.name);
+    REQUIRE(p.has(row.field) == q.has(row.field));
+    if (!p.has(row.field)) continue;
+    const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
+    if (row.rank == Rank::integer)
+      CHECK(std::ranges::equal(p.integers(row.field), q.integers(row.field)));
+    else
+      CHECK(std::ranges::equal(p.reals(row.field), q.reals(row.field), {}, bits, bits));
+  }
+}
+
+/// Saves a run, reads it again and goes on with it.
+void check_resumed(Space space, int threads_before, int threads_after) {
+  INFO(name_of(space) << ", threads " << threads_before << " and " << threads_after);
+  auto unbroken = test::simulation_of(test::impact_scene, test::impact_particles(space));
+  take_steps_on(threads_before, unbroken, steps / 2 + 3);
+  const test::TemporaryFolder folder;
+  write_snapshot(unbroken.save({}), folder.file("middle.h5"));
+  take_steps_on(threads_before, unbroken, steps);
+
+  auto snapshot = read_snapshot(folder.file("middle.h5"));
+  auto document = Document::parse(snapshot.scene, "middle.h5");
+  auto settings = read_run_settings(document);
+  Simulation resumed(std::move(snapshot), std::move(settings), true);
+  take_steps_on(threads_after, resumed, steps);
+  check_same(unbroken, resumed);
+}
+
+}  // namespace
+
+TEST_CASE("Threads: one, two and three give the same bits", "[threads]") {
+  for (const auto space : spaces) {
+    INFO(name_of(space));
+    auto one = test::simulation_of(test::impact_scene, test::impact_particles(space));
+    auto two = test::simulation_of(test::impact_scene, test::impact_particles(space));
+    auto three = test::simulation_of(test::impact_scene, test::impact_particles(space));
+    take_steps_on(1, one, steps);
+    take_steps_on(2, two, steps);
+    take_steps_on(3, three, steps);
+    check_same(one, two);
+    check_same(one, three);
+    // What is compared is an impact: plastic flow, and particles that have been ordered anew.
+    CHECK(std::ranges::max(one.particles().reals(Field::plastic_strain)) > 0.01);
+    CHECK(one.scheme().in_contact());
+  }
+}
+
+TEST_CASE("Restart: a run that was saved and resumed is the unbroken one to the last bit", "[restart]") {
+  for (const auto space : spaces) check_resumed(space, 2, 2);
+}
+
+TEST_CASE("Restart: it may go on with another number of threads", "[restart]") {
+  for (const auto space : spaces) check_resumed(space, 1, 3);
+}
+
+TEST_CASE("Restart: half a model with a symmetry plane goes on as if unbroken", "[restart]") {
+  const std::string scene = "symmetry.bottom = { axis = 'y', at = '-16 mm' }\n" + test::impact_scene;
+  auto unbroken = test::simulation_of(scene, test::impact_particles(Space::plane_strain));
+  test::take_steps(unbroken, steps);
+  const test::TemporaryFolder folder;
+  write_snapshot(unbroken.save({}), folder.file("middle.h5"));
+  test::take_steps(unbroken, steps);
+  auto snapshot = read_snapshot(folder.file("middle.h5"));
+  auto document = Document::parse(snapshot.scene, "middle.h5");
+  auto settings = read_run_settings(document);
+  Simulation resumed(std::move(snapshot), std::move(settings), true);
+  test::take_steps(resumed, steps);
+  check_same(unbroken, resumed);
+}
