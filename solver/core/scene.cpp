@@ -11,7 +11,7 @@ struct OwnedKey {
   Stage owner;
 };
 
-constexpr std::array<OwnedKey, 18> owned_keys{{
+constexpr std::array<OwnedKey, 22> owned_keys{{
     {"", "body", Stage::preprocess},
     {"", "material", Stage::preprocess},
     {"", "material", Stage::solve},
@@ -19,6 +19,7 @@ constexpr std::array<OwnedKey, 18> owned_keys{{
     {"", "spacing", Stage::preprocess},
     {"", "scheme", Stage::solve},
     {"", "viscosity", Stage::solve},
+    {"", "contact", Stage::solve},
     {"", "time", Stage::solve},
     {"", "output", Stage::solve},
     {"", "probe", Stage::solve},
@@ -28,8 +29,11 @@ constexpr std::array<OwnedKey, 18> owned_keys{{
     {"body", "arrangement", Stage::preprocess},
     {"body", "spacing", Stage::preprocess},
     {"body", "velocity", Stage::preprocess},
+    {"body", "region", Stage::preprocess},
     {"material", "eos", Stage::solve},
     {"material", "strength", Stage::solve},
+    {"material", "damage", Stage::solve},
+    {"material", "spall_pressure", Stage::solve},
 }};
 
 bool owned_by(std::string_view table, std::string_view key, Stage stage) {

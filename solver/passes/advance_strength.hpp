@@ -41,6 +41,7 @@ struct AdvanceStrength {
   double* plastic_strain;
   double* plastic_work;
   double* temperature;
+  double* plastic_increment;  ///< may be null where nothing is damaged by it
 
   void operator()(std::size_t i) const {
     DeviatorState<D> state{stress[i], 0.0, 0.0, 0.0};
@@ -52,6 +53,7 @@ struct AdvanceStrength {
     advance_deviator(strength, velocity_gradient[i], across<plane_stress>(across_rate, i), density[i], step, state);
     stress[i] = state.stress;
     if constexpr (Strength::kind.yields) {
+      if (plastic_increment) plastic_increment[i] = state.plastic_strain - plastic_strain[i];
       plastic_strain[i] = state.plastic_strain;
       plastic_work[i] = state.plastic_work;
     }

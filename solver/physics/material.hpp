@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/scene.hpp"
+#include "physics/damage/damage.hpp"
 #include "physics/eos/eos.hpp"
 #include "physics/strength/strength.hpp"
 
@@ -15,19 +16,26 @@ struct Material {
   double density = 0.0;  ///< ρ0 in kg/m³
   Eos eos;
   Strength strength;
+  Damage damage;
+  double least_pressure = -limits::infinite;  ///< spall: pressure does not fall below it, Pa
 };
 
 /// Reads every [material.NAME]; throws InputError.
 inline std::map<std::string, Material> read_materials(Section& root) {
   std::map<std::string, Material> materials;
   for (auto& [name, section] : root.named_sections("material")) {
-    Material material{name, section.quantity("density", dimension::density, limits::positive), {}, {}};
+    Material material{name, section.quantity("density", dimension::density, limits::positive), {}, {}, {}};
     auto eos = section.section("eos");
     material.eos = Family<Eos>::read(eos);
     std::visit([&](auto& model) { model.reference_density = material.density; }, material.eos);
     auto strength = section.section_or_empty("strength");
     if (!strength.has("model")) strength.choice("model", Family<Strength>::names(), std::string(NoStrength::name));
     material.strength = Family<Strength>::read(strength);
+    auto damage = section.section_or_empty("damage");
+    if (!damage.has("model")) damage.choice("model", Family<Damage>::names(), std::string(NoDamage::name));
+    material.damage = Family<Damage>::read(damage);
+    if (section.has("spall_pressure"))
+      material.least_pressure = section.quantity("spall_pressure", dimension::pressure, {-limits::infinite, 0.0});
     leave_others(section, Stage::solve);
     section.finish();
     materials[name] = material;

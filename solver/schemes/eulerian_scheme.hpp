@@ -106,6 +106,7 @@ class EulerianScheme final : public Scheme {
     for (const auto field : {Field::half_density, Field::half_energy, Field::half_pressure, Field::half_sound_speed,
                              Field::half_deviatoric_stress})
       particles_.allocate(field);
+    materials_.allocate_scratch();
     if constexpr (plane_stress) particles_.allocate(Field::across_rate);
   }
 
@@ -144,6 +145,7 @@ class EulerianScheme final : public Scheme {
       materials_.evaluate_eos(run, Field::half_density, Field::half_energy, Field::half_pressure,
                               Field::half_sound_speed);
       materials_.predict_strength(run, half_step);
+      materials_.release(run, Field::half_deviatoric_stress, Field::half_pressure);
       run_through(run.range,
                   AssembleRecords<D, plane_stress>{
                       p.scalars(Field::mass), p.scalars(Field::half_density), p.scalars(Field::half_pressure),
@@ -179,6 +181,7 @@ class EulerianScheme final : public Scheme {
                                  p.template vectors<D>(Field::velocity), p.scalars(Field::density),
                                  p.scalars(Field::specific_internal_energy), p.scalars(Field::viscous_work)});
       materials_.advance_strength(run, dt);
+      materials_.advance_damage(run, dt);
       evaluate_state(run);
     });
   }
@@ -186,6 +189,7 @@ class EulerianScheme final : public Scheme {
   /// Pressure and wave speeds.
   void evaluate_state(const typename MaterialPasses<D, plane_stress>::Run& run) const {
     materials_.evaluate_eos(run, Field::density, Field::specific_internal_energy, Field::pressure, Field::sound_speed);
+    materials_.release(run, Field::deviatoric_stress, Field::pressure);
     materials_.evaluate_wave_speed(run);
   }
 

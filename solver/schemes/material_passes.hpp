@@ -8,6 +8,7 @@
 #include "core/particles.hpp"
 #include "parallel/for_each.hpp"
 #include "passes/advance_strength.hpp"
+#include "passes/damage.hpp"
 #include "passes/evaluate_eos.hpp"
 #include "passes/stretch_across.hpp"
 #include "schemes/scheme.hpp"
@@ -49,6 +50,7 @@ class MaterialPasses {
     if (yields) particles_.allocate(Field::plastic_strain);
     if (yields) particles_.allocate(Field::plastic_work);
     if (heats) particles_.allocate(Field::temperature);
+    if (yields && damages()) particles_.allocate(Field::damage);
     for (const auto& run : runs_)
       std::visit(
           [&](const auto& model) {
@@ -57,6 +59,11 @@ class MaterialPasses {
                                       room = model.room_temperature](std::size_t i) { t[i] = room; });
           },
           run.material->strength);
+  }
+
+  /// Allocates what lives within a step.
+  void allocate_scratch() {
+    if (particles_.has(Field::damage)) particles_.allocate(Field::plastic_increment);
   }
 
   void evaluate_eos(const Run& run, Field density, Field energy, Field pressure, Field sound_speed) const {
@@ -93,14 +100,39 @@ class MaterialPasses {
   void advance_strength(const Run& run, double step) const {
     std::visit(
         [&](const auto& model) {
-          run_through(
-              run.range,
-              AdvanceStrength<std::decay_t<decltype(model)>, D, plane_stress>{
-                  model, particles_.tensors<D>(Field::velocity_gradient), across_rate(),
-                  particles_.scalars(Field::half_density), step, particles_.symmetrics<D>(Field::deviatoric_stress),
-                  optional(Field::plastic_strain), optional(Field::plastic_work), optional(Field::temperature)});
+          run_through(run.range, AdvanceStrength<std::decay_t<decltype(model)>, D, plane_stress>{
+                                     model, particles_.tensors<D>(Field::velocity_gradient), across_rate(),
+                                     particles_.scalars(Field::half_density), step,
+                                     particles_.symmetrics<D>(Field::deviatoric_stress),
+                                     optional(Field::plastic_strain), optional(Field::plastic_work),
+                                     optional(Field::temperature), optional(Field::plastic_increment)});
         },
         run.material->strength);
+  }
+
+  /// What a failed particle no longer bears, of a stress and a pressure that were just computed.
+  void release(const Run& run, Field stress, Field pressure) const {
+    const bool damaged = !std::holds_alternative<NoDamage>(run.material->damage);
+    if (damaged)
+      run_through(run.range, ReleaseShear<D>{particles_.scalars(Field::damage), particles_.symmetrics<D>(stress)});
+    if (damaged || std::isfinite(run.material->least_pressure))
+      run_through(run.range,
+                  LimitTension{run.material->least_pressure, damaged ? particles_.scalars(Field::damage) : nullptr,
+                               particles_.scalars(pressure)});
+  }
+
+  void advance_damage(const Run& run, double step) const {
+    std::visit(
+        [&](const auto& model) {
+          using Model = std::decay_t<decltype(model)>;
+          if constexpr (!std::is_same_v<Model, NoDamage>)
+            run_through(run.range,
+                        AdvanceDamage<Model, D>{model, particles_.scalars(Field::plastic_increment),
+                                                particles_.scalars(Field::pressure),
+                                                particles_.symmetrics<D>(Field::deviatoric_stress),
+                                                optional(Field::temperature), step, particles_.scalars(Field::damage)});
+        },
+        run.material->damage);
   }
 
   /// Plane stress only: D_zz over the next `step` from the present state.
@@ -119,6 +151,10 @@ class MaterialPasses {
   }
 
  private:
+  bool damages() const {
+    return std::any_of(runs_.begin(), runs_.end(),
+                       [](const Run& run) { return !std::holds_alternative<NoDamage>(run.material->damage); });
+  }
   double* optional(Field field) const { return particles_.has(field) ? particles_.scalars(field) : nullptr; }
   const double* across_rate() const { return plane_stress ? particles_.scalars(Field::across_rate) : nullptr; }
 

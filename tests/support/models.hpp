@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "core/document.hpp"
+#include "physics/damage/damage.hpp"
 #include "physics/eos/eos.hpp"
 #include "physics/model.hpp"
 #include "physics/strength/strength.hpp"
@@ -68,12 +69,27 @@ struct Samples<PerfectlyPlastic> {
   static constexpr std::array<Texts, 1> all{"shear_modulus = '27.6 GPa'\nyield_stress = '0.3 GPa'"};
 };
 template <>
+struct Samples<IsotropicHardening> {
+  static constexpr std::array<Texts, 1> all{
+      "shear_modulus = '76.9 GPa'\nyield_stress = '315 MPa'\nplastic_modulus = '16.2 GPa'"};
+};
+template <>
 struct Samples<JohnsonCook> {
   static constexpr std::array<Texts, 2> all{
       "shear_modulus = '27.6 GPa'\na = '265 MPa'\nb = '426 MPa'\nn = 0.34\nc = 0.015\nm = 1.0\n"
       "melting_temperature = '775 K'\nspecific_heat = '875 J/(kg K)'",
       "shear_modulus = '77 GPa'\na = '792 MPa'\nb = '510 MPa'\nn = 0.26\nc = 0.014\nm = 1.03\n"
       "melting_temperature = '1793 K'\nspecific_heat = '477 J/(kg K)'\ntaylor_quinney = 1.0"};
+};
+template <>
+struct Samples<NoDamage> {
+  static constexpr std::array<Texts, 1> all{""};
+};
+template <>
+struct Samples<JohnsonCookDamage> {
+  static constexpr std::array<Texts, 2> all{
+      "d1 = 0.45\nd4 = 0.0138",
+      "d1 = 0.05\nd2 = 3.44\nd3 = -2.12\nd4 = 0.002\nd5 = 0.61\nmelting_temperature = '1793 K'"};
 };
 template <>
 struct Samples<MonaghanViscosity> {
