@@ -90,10 +90,11 @@ std::vector<BodyPlan> read_bodies(Section& root, const Scene& scene, const std::
     auto arrangement = read_arrangement(body.section_or_empty("arrangement"), dimensions);
     const double own_spacing = read_spacing(body, spacing, arrangement.wished_count.has_value());
     auto velocity = read_velocity(body, dimensions);
+    auto regions = read_regions(body, dimensions);
     leave_others(body, Stage::preprocess);
     body.finish();
     plans.push_back({name, material, densities.at(material), own_spacing, std::move(shape), std::move(arrangement),
-                     std::move(velocity), body});
+                     std::move(velocity), std::move(regions), body});
   }
   if (plans.empty()) throw root.fault("body", "the scene has no body", "[body.NAME]");
   return plans;
@@ -109,8 +110,7 @@ FilledBody fill_body(BodyPlan plan, std::span<const SymmetryPlane> planes, doubl
   keep_side(filling.positions, planes, edge_tolerance * spacing);
   if (filling.positions.empty())
     throw plan.section.fault("shape", fmt::format("no particle falls inside at a spacing of {:g} m", spacing));
-  const double exact_mass = plan.density * kept;
-  return {std::move(plan), std::move(filling.positions), spacing, filling.cell, exact_mass};
+  return {std::move(plan), std::move(filling.positions), spacing, filling.cell, kept};
 }
 
 }  // namespace tektite::preprocess

@@ -8,6 +8,7 @@
 
 #include "core/scene.hpp"
 #include "preprocess/arrangement/registry.hpp"
+#include "preprocess/body_region.hpp"
 #include "preprocess/geometry/shape.hpp"
 #include "preprocess/velocity/velocity.hpp"
 
@@ -22,7 +23,8 @@ struct BodyPlan {
   ShapePointer shape;
   ArrangementChoice arrangement;
   VelocityPointer velocity;
-  Section section;  ///< for faults that are found later
+  std::vector<BodyRegion> regions;  ///< later ones override earlier ones
+  Section section;                  ///< for faults that are found later
 };
 
 /// A body with its particles.
@@ -31,7 +33,7 @@ struct FilledBody {
   std::vector<Point> positions;  ///< m
   double spacing = 0.0;          ///< m
   double cell = 0.0;             ///< m, m² or m³ for each particle
-  double exact_mass = 0.0;       ///< of the part on the kept side: kg, kg/m in the plane, kg/m² on a line
+  double exact_measure = 0.0;    ///< m, m² or m³ of the part of the shape on the kept side
 };
 
 /// Densities by material name, in kg/m³, from [material.NAME].

@@ -19,20 +19,23 @@ std::vector<Body> ranges(const std::vector<FilledBody>& filled) {
   return bodies;
 }
 
-/// Mass of a particle that lies off all symmetry planes.
-double whole_mass(const FilledBody& body, std::span<const SymmetryPlane> planes) {
-  if (body.plan.arrangement.mass == MassRule::cell) return body.plan.density * body.cell;
+/// Number of whole particles: one on a symmetry plane is half a particle.
+double whole_particles(const FilledBody& body, std::span<const SymmetryPlane> planes) {
   double shares = 0.0;
   for (const auto& position : body.positions) shares += mass_share(position, planes);
-  return body.exact_mass / shares;
+  return shares;
+}
+
+/// Volume (m, m² or m³) of a particle that lies off all symmetry planes.
+double whole_volume(const FilledBody& body, std::span<const SymmetryPlane> planes) {
+  if (body.plan.arrangement.mass == MassRule::cell) return body.cell;
+  return body.exact_measure / whole_particles(body, planes);
 }
 
 void store(const FilledBody& body, const Scene& scene, Range range, Particles& particles) {
   const auto d = static_cast<std::size_t>(particles.dimensions());
-  const double mass = whole_mass(body, scene.symmetry);
   auto positions = particles.reals(Field::position), velocities = particles.reals(Field::velocity);
-  auto masses = particles.reals(Field::mass), densities = particles.reals(Field::density);
-  auto lengths = particles.reals(Field::smoothing_length);
+  auto densities = particles.reals(Field::density), lengths = particles.reals(Field::smoothing_length);
   auto ids = particles.integers(Field::id);
 #pragma omp parallel for schedule(static)
   for (std::size_t i = range.begin; i < range.end; ++i) {
@@ -42,11 +45,20 @@ void store(const FilledBody& body, const Scene& scene, Range range, Particles& p
       positions[i * d + k] = x[static_cast<int>(k)];
       velocities[i * d + k] = v[static_cast<int>(k)];
     }
-    masses[i] = mass * mass_share(x, scene.symmetry);
     densities[i] = body.plan.density;
     lengths[i] = scene.smoothing_ratio * body.spacing;
     ids[i] = static_cast<std::int64_t>(i);
   }
+}
+
+/// After the regions, which may have changed densities.
+void store_masses(const FilledBody& body, std::span<const SymmetryPlane> planes, Range range, Particles& particles) {
+  const double volume = whole_volume(body, planes);
+  const auto densities = particles.reals(Field::density);
+  auto masses = particles.reals(Field::mass);
+#pragma omp parallel for schedule(static)
+  for (std::size_t i = range.begin; i < range.end; ++i)
+    masses[i] = densities[i] * volume * mass_share(body.positions[i - range.begin], planes);
 }
 
 BodyReport describe(const FilledBody& body, const Scene& scene, Range range, const Particles& particles) {
@@ -58,7 +70,9 @@ BodyReport describe(const FilledBody& body, const Scene& scene, Range range, con
   const auto masses = particles.reals(Field::mass).subspan(range.begin, range.size());
   report.spacing = body.spacing;
   report.mass = std::accumulate(masses.begin(), masses.end(), 0.0);
-  report.exact_mass = body.exact_mass;
+  const double mean_density =
+      report.mass / (whole_volume(body, scene.symmetry) * whole_particles(body, scene.symmetry));
+  report.exact_mass = mean_density * body.exact_measure;
   report.mass_spread = body.plan.arrangement.mass == MassRule::exact;
   report.remarks = body.plan.shape->remarks();
   return report;
@@ -86,10 +100,15 @@ Result build_particles(Document& document, double most_particles) {
   for (const auto field :
        {Field::id, Field::position, Field::velocity, Field::mass, Field::density, Field::smoothing_length})
     particles.allocate(field);
+  for (const auto& body : filled) allocate_region_fields(body.plan.regions, particles);
   for (std::size_t k = 0; k < filled.size(); ++k) {
     const auto range = particles.bodies()[k].range;
     store(filled[k], scene, range, particles);
+    auto regions =
+        lay_regions(filled[k].plan.regions, scene.symmetry, edge_tolerance * filled[k].spacing, range, particles);
+    store_masses(filled[k], scene.symmetry, range, particles);
     result.bodies.push_back(describe(filled[k], scene, range, particles));
+    result.bodies.back().regions = std::move(regions);
     filled[k].positions = {};
   }
   result.snapshot.state["time"] = 0.0;

@@ -6,6 +6,7 @@
 
 #include "core/document.hpp"
 #include "core/snapshot.hpp"
+#include "preprocess/body_region.hpp"
 
 namespace tektite::preprocess {
 
@@ -16,9 +17,10 @@ struct BodyReport {
   std::size_t on_symmetry_planes = 0;
   double spacing = 0.0;     ///< m
   double mass = 0.0;        ///< sum over the particles: kg, kg/m in the plane, kg/m² on a line
-  double exact_mass = 0.0;  ///< of the shape, likewise
+  double exact_mass = 0.0;  ///< of the shape, likewise; the share of a region of other density is that of its particles
   bool mass_spread = false;
   std::vector<std::string> remarks;
+  std::vector<RegionReport> regions;
 };
 
 struct Result {

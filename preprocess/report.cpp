@@ -31,6 +31,8 @@ std::string in_words(const Result& result) {
     if (body.on_symmetry_planes > 0)
       text += fmt::format("  {} particles lie on a symmetry plane, with half their mass a plane\n",
                           body.on_symmetry_planes);
+    for (const auto& region : body.regions)
+      text += fmt::format("  region {}: {} particles, {}\n", region.name, region.count, region.words);
     for (const auto& remark : body.remarks) text += fmt::format("  repaired: {}\n", remark);
   }
   return text + fmt::format("{} particles in all, {}\n", particles.count(), name_of(particles.space()));

@@ -40,6 +40,7 @@ TEST_CASE("docs/scenes.md names every key and name that the programs offer") {
   const std::string base = WRONG_SCENES;
   const std::string scene = GENERATE(as<std::string>(), "base.toml", "solid.toml");
   const std::string body = scene == "base.toml" ? "projectile" : "block";
+  const std::string shape = scene == "base.toml" ? "{type=\"disc\", radius=1}" : "{type=\"sphere\", radius=1}";
   std::vector<std::string> settings{"unknown=1",
                                     "space=unknown",
                                     "body." + body + ".unknown=1",
@@ -50,6 +51,8 @@ TEST_CASE("docs/scenes.md names every key and name that the programs offer") {
                                     "body." + body + ".arrangement={convention=\"unknown\"}",
                                     "body." + body + ".arrangement={mass=\"unknown\"}",
                                     "body." + body + ".velocity={type=\"unknown\"}",
+                                    "body." + body + ".region.one={shape=" + shape + ", unknown=1}",
+                                    "body." + body + ".region.one={shape=" + shape + ", kernel=\"unknown\"}",
                                     "material.aluminium.unknown=1",
                                     "material.aluminium.eos={model=\"unknown\"}",
                                     "material.aluminium.eos.unknown=1",

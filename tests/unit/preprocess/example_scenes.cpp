@@ -1,0 +1,60 @@
+// The scenes in examples/ give the particles that their sources count.
+#include <catch2/catch.hpp>
+#include <numeric>
+#include <string>
+
+#include "preprocess/build_particles.hpp"
+
+using namespace tektite;
+
+namespace {
+
+preprocess::Result example(const std::string& name, const std::string& variant) {
+  auto document = Document::load(std::string(EXAMPLES) + "/" + name + "/scene.toml", variant, {});
+  return preprocess::build_particles(document);
+}
+
+std::int64_t sum(std::span<const std::int64_t> values) {
+  return std::accumulate(values.begin(), values.end(), std::int64_t{0});
+}
+
+}  // namespace
+
+TEST_CASE("hvi_2d: 7830 particles in the disc and 10 020 in the plate, without fields of regions") {
+  const auto result = example("hvi_2d", "sav1");
+  CHECK(result.bodies[0].count == 7830);
+  CHECK(result.bodies[1].count == 10020);
+  CHECK_FALSE(result.snapshot.particles.has(Field::kernel_type));
+  CHECK_FALSE(result.snapshot.particles.has(Field::clamped));
+}
+
+TEST_CASE("tensile_patch: 100 x 100 particles, a quarter of them under tension, the upper half Eulerian if coupled") {
+  const std::string variant = GENERATE("total_lagrangian", "eulerian", "eulerian_artificial_stress", "coupled",
+                                       "coupled_interface_none", "coupled_interface_eulerian");
+  const auto result = example("tensile_patch", variant);
+  const auto& particles = result.snapshot.particles;
+  CHECK(particles.count() == 10000);
+  CHECK(result.bodies[0].regions[0].count == 2500);
+  const bool coupled = variant.starts_with("coupled");
+  REQUIRE(particles.has(Field::kernel_type) == coupled);
+  if (coupled) CHECK(sum(particles.integers(Field::kernel_type)) == 5000);
+}
+
+TEST_CASE("debris_3d: 912 particles in the sphere, 30 000 in the plate, its outermost ones clamped") {
+  const std::string variant = GENERATE("", "adaptle", "eulerian", "total_lagrangian", "patch");
+  const auto result = example("debris_3d", variant);
+  const auto& particles = result.snapshot.particles;
+  CHECK(result.bodies[0].count == 912);
+  CHECK(result.bodies[1].count == 30000);
+  CHECK(sum(particles.integers(Field::clamped)) == 3 * (100 * 100 - 98 * 98));
+  REQUIRE(particles.has(Field::kernel_type) == (variant == "patch"));
+  if (variant == "patch") CHECK(sum(particles.integers(Field::kernel_type)) == 16 * 16 * 3);
+}
+
+TEST_CASE("debris_3d: a quarter has a quarter of the particles and none on a symmetry plane") {
+  const auto result = example("debris_3d", "quarter");
+  CHECK(result.bodies[0].count == 228);
+  CHECK(result.bodies[1].count == 7500);
+  CHECK(result.bodies[0].on_symmetry_planes + result.bodies[1].on_symmetry_planes == 0);
+  CHECK(sum(result.snapshot.particles.integers(Field::clamped)) == 3 * (50 * 50 - 49 * 49));
+}
