@@ -22,5 +22,7 @@ function(tektite_add_test)
   target_link_libraries(${TEST_NAME} PRIVATE tektite_test_main ${TEST_LIBRARIES})
   target_include_directories(${TEST_NAME} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(${TEST_NAME} PRIVATE ${TEST_DEFINITIONS})
-  catch_discover_tests(${TEST_NAME} DISCOVERY_MODE PRE_TEST PROPERTIES LABELS ${TEST_LABEL})
+  # Threads that wait give their core away: tests run beside each other, and on machines that do other things too.
+  catch_discover_tests(${TEST_NAME} DISCOVERY_MODE PRE_TEST
+    PROPERTIES LABELS ${TEST_LABEL} ENVIRONMENT OMP_WAIT_POLICY=passive)
 endfunction()
