@@ -41,6 +41,12 @@ class Mirror {
     }
   }
 
+  /// Appends to a value a particle those of the images, which have their particles' values.
+  template <class T>
+  void repeat(std::vector<T>& values) const {
+    for (const auto& image : images_) values.push_back(values[image.source]);
+  }
+
   /// Fills the records of all images, which stand behind the `count` own ones. A record knows how to be mirrored.
   template <class Record>
   void fill(std::vector<Record>& records, std::size_t count) const {

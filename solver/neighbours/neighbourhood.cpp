@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "neighbours/order.hpp"
+#include "neighbours/reference_pairs.hpp"
 #include "parallel/for_each.hpp"
 #include "parallel/reduce.hpp"
 
@@ -21,8 +23,8 @@ constexpr double least_half_steps = 4.0;
 }  // namespace
 
 template <int D>
-Neighbourhood<D>::Neighbourhood(Particles& particles, double support, std::vector<SymmetryPlane> planes)
-    : particles_(particles), support_(support), mirror_(std::move(planes)) {}
+Neighbourhood<D>::Neighbourhood(Particles& particles, double support, std::vector<SymmetryPlane> planes, Search search)
+    : particles_(particles), support_(support), search_(search), mirror_(std::move(planes)) {}
 
 template <int D>
 double Neighbourhood<D>::diagonal(const typename DisplacementBox<D>::Box& box) const {
@@ -41,7 +43,7 @@ auto Neighbourhood<D>::approach(double dt) -> Approach {
   using Box = typename DisplacementBox<D>::Box;
   const Particles& particles = particles_;
   const DisplacementBox<D> pass{particles.vectors<D>(Field::position), particles.vectors<D>(Field::velocity),
-                                particles.vectors<D>(Field::acceleration), particles.vectors<D>(Field::search_position),
+                                particles.vectors<D>(Field::acceleration), particles.vectors<D>(search_.positions),
                                 0.5 * dt};
   boxes_.resize(regions_.cells());
   for_each(regions_.cells(), [&](std::size_t region) {
@@ -69,13 +71,18 @@ bool Neighbourhood<D>::prepare(double dt) {
     const auto nearer = approach(dt);
     if (nearer.near <= reach_ - support_ && nearer.far <= (region_side - 1.0) * support_) return false;
   }
-  sort();
+  renew(dt);
+  return search_.orders;
+}
+
+template <int D>
+void Neighbourhood<D>::renew(double dt) {
+  if (search_.orders) order_in_space<D>(particles_, support_);
   const auto positions = particles_.reals(Field::position);
-  std::copy(positions.begin(), positions.end(), particles_.reals(Field::search_position).begin());
+  std::copy(positions.begin(), positions.end(), particles_.reals(search_.positions).begin());
   find_regions();
   reach_ = support_ + std::max(skin_fraction * support_, least_half_steps * approach(dt).near);
   list();
-  return true;
 }
 
 template <int D>
@@ -85,35 +92,22 @@ void Neighbourhood<D>::restore(double reach) {
   list();
 }
 
-/// Orders each body's particles by cell; within a cell they keep their order.
-template <int D>
-void Neighbourhood<D>::sort() {
-  const auto* x = particles_.vectors<D>(Field::position);
-  std::vector<std::uint32_t> order(particles_.count());
-  CellGrid<D> grid;
-  for (const auto& body : particles_.bodies()) {
-    grid.build({x + body.range.begin, body.range.size()}, support_);
-    std::size_t next = body.range.begin;
-    for (std::size_t cell = 0; cell < grid.cells(); ++cell)
-      for (const auto i : grid.members(cell)) order[next++] = static_cast<std::uint32_t>(body.range.begin + i);
-  }
-  if (!std::is_sorted(order.begin(), order.end())) particles_.permute(order);
-}
-
 template <int D>
 void Neighbourhood<D>::find_regions() {
   const Particles& particles = particles_;
-  regions_.build({particles.vectors<D>(Field::search_position), particles.count()}, region_side * support_);
+  regions_.build({particles.vectors<D>(search_.positions), particles.count()}, region_side * support_);
 }
 
 template <int D>
 void Neighbourhood<D>::list() {
-  const auto* x = particles_.vectors<D>(Field::search_position);
+  const auto* x = particles_.vectors<D>(search_.positions);
   places_.assign(x, x + particles_.count());
   mirror_.find(places_, reach_);
   CellGrid<D> grid;
   grid.build(places_, reach_);
-  pairs_.build<D>(grid, places_, particles_.count(), reach_);
+  auto body = body_of_each(particles_);
+  mirror_.repeat(body);
+  pairs_.build<D>(grid, places_, particles_.count(), reach_, search_.pairing, body);
 }
 
 template <int D>

@@ -14,15 +14,23 @@
 
 namespace tektite {
 
+/// What a neighbourhood is for.
+struct Search {
+  Pairing pairing = Pairing::all;
+  bool orders = true;                        ///< orders the particles in space at each search
+  Field positions = Field::search_position;  ///< where it keeps the places of the last search
+};
+
 template <int D>
 class Neighbourhood {
  public:
   /// `support` is the farthest distance in m at which two particles act on each other.
-  Neighbourhood(Particles& particles, double support, std::vector<SymmetryPlane> planes);
+  Neighbourhood(Particles& particles, double support, std::vector<SymmetryPlane> planes, Search search = {});
 
-  /// Makes the list good for the positions in the middle of a step dt. True where it was made anew, and the particles
-  /// were ordered anew.
+  /// Makes the list good for the positions in the middle of a step dt. True where the particles were ordered anew.
   bool prepare(double dt);
+  /// Makes the list anew, whatever has moved.
+  void renew(double dt);
   /// Makes the list as it was when the particles were saved with this reach.
   void restore(double reach);
 
@@ -40,12 +48,12 @@ class Neighbourhood {
   };
   Approach approach(double dt);
   double diagonal(const typename DisplacementBox<D>::Box& box) const;
-  void sort();
   void find_regions();
   void list();
 
   Particles& particles_;
   double support_;
+  Search search_;
   double reach_ = 0.0;
   Mirror<D> mirror_;
   CellGrid<D> regions_;

@@ -31,9 +31,14 @@ struct Candidates {
   }
 };
 
-template <int D>
+template <Pairing pairing>
+bool paired(std::uint32_t a, std::uint32_t b) {
+  return pairing == Pairing::all || (pairing == Pairing::within_bodies ? a == b : a != b);
+}
+
+template <int D, Pairing pairing>
 void build_block(PairList::Block& block, std::size_t end, const CellGrid<D>& grid,
-                 std::span<const Vector<double, D>> positions, double reach) {
+                 std::span<const Vector<double, D>> positions, double reach, std::span<const std::uint32_t> body) {
   Candidates<D> near;
   std::vector<double> distance;
   std::size_t last_cell = grid.cells();
@@ -62,7 +67,8 @@ void build_block(PairList::Block& block, std::size_t end, const CellGrid<D>& gri
     std::size_t found = 0;
     for (std::size_t n = 0; n < count; ++n) {  // without a branch, which would be guessed wrong every third time
       out[found] = near.index[n];
-      found += static_cast<std::size_t>(distance[n] < reach_squared) & static_cast<std::size_t>(near.index[n] != i);
+      found += static_cast<std::size_t>(distance[n] < reach_squared) & static_cast<std::size_t>(near.index[n] != i) &
+               static_cast<std::size_t>(paired<pairing>(body[i], body[near.index[n]]));
     }
     while (found % pack_width != 0) out[found++] = static_cast<std::uint32_t>(i);
     block.neighbours.resize(start + found);
@@ -74,12 +80,24 @@ void build_block(PairList::Block& block, std::size_t end, const CellGrid<D>& gri
 
 template <int D>
 void PairList::build(const CellGrid<D>& grid, std::span<const Vector<double, D>> positions, std::size_t count,
-                     double reach) {
+                     double reach, Pairing pairing, std::span<const std::uint32_t> body) {
   blocks_.resize((count + block_size - 1) / block_size);
 #pragma omp parallel for schedule(dynamic, 1)
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    blocks_[b].begin = b * block_size;
-    build_block(blocks_[b], std::min(count, (b + 1) * block_size), grid, positions, reach);
+    auto& block = blocks_[b];
+    block.begin = b * block_size;
+    const auto end = std::min(count, (b + 1) * block_size);
+    switch (pairing) {
+      case Pairing::all:
+        build_block<D, Pairing::all>(block, end, grid, positions, reach, body);
+        break;
+      case Pairing::within_bodies:
+        build_block<D, Pairing::within_bodies>(block, end, grid, positions, reach, body);
+        break;
+      case Pairing::across_bodies:
+        build_block<D, Pairing::across_bodies>(block, end, grid, positions, reach, body);
+        break;
+    }
   }
 }
 
@@ -90,8 +108,11 @@ std::size_t PairList::memory() const {
   return bytes;
 }
 
-template void PairList::build<1>(const CellGrid<1>&, std::span<const Vector<double, 1>>, std::size_t, double);
-template void PairList::build<2>(const CellGrid<2>&, std::span<const Vector<double, 2>>, std::size_t, double);
-template void PairList::build<3>(const CellGrid<3>&, std::span<const Vector<double, 3>>, std::size_t, double);
+template void PairList::build<1>(const CellGrid<1>&, std::span<const Vector<double, 1>>, std::size_t, double, Pairing,
+                                 std::span<const std::uint32_t>);
+template void PairList::build<2>(const CellGrid<2>&, std::span<const Vector<double, 2>>, std::size_t, double, Pairing,
+                                 std::span<const std::uint32_t>);
+template void PairList::build<3>(const CellGrid<3>&, std::span<const Vector<double, 3>>, std::size_t, double, Pairing,
+                                 std::span<const std::uint32_t>);
 
 }  // namespace tektite

@@ -11,6 +11,9 @@
 
 namespace tektite {
 
+/// Which particles are paired.
+enum class Pairing { all, within_bodies, across_bodies };
+
 class PairList {
  public:
   /// A run of particles that one thread takes at a time.
@@ -20,9 +23,11 @@ class PairList {
     std::vector<std::uint32_t> neighbours;
   };
 
-  /// Lists, for the first `count` of the positions, all others nearer than `reach`; the rest are images.
+  /// Lists, for the first `count` of the positions, the others nearer than `reach` that they are paired with; the rest
+  /// are images. `body` says whose each position is.
   template <int D>
-  void build(const CellGrid<D>& grid, std::span<const Vector<double, D>> positions, std::size_t count, double reach);
+  void build(const CellGrid<D>& grid, std::span<const Vector<double, D>> positions, std::size_t count, double reach,
+             Pairing pairing, std::span<const std::uint32_t> body);
 
   const std::vector<Block>& blocks() const { return blocks_; }
   std::size_t memory() const;

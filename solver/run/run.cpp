@@ -53,6 +53,7 @@ class Run {
     const auto& particles = simulation_.particles();
     for (const auto& body : particles.bodies())
       log_->info("  {}: {} particles of {}, spacing {:g} m", body.name, body.range.size(), body.material, body.spacing);
+    if (const auto remark = simulation_.scheme().remark(); !remark.empty()) log_->info("  {}", remark);
     if (!resumed_) {
       write_snapshot();
       write_history();

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "schemes/eulerian.hpp"
+#include "schemes/total_lagrangian.hpp"
 
 namespace tektite {
 namespace {
@@ -14,8 +15,9 @@ struct RegisteredScheme {
   std::unique_ptr<Scheme> (*make)(const SchemeSetup&);
 };
 
-constexpr std::array<RegisteredScheme, 1> schemes{{
+constexpr std::array<RegisteredScheme, 2> schemes{{
     {"eulerian", make_eulerian},
+    {"total-lagrangian", make_total_lagrangian},
 }};
 
 }  // namespace
@@ -31,6 +33,10 @@ SchemeSettings read_scheme(Section& root, const Scene& scene) {
   auto section = root.section_or_empty("scheme");
   settings.type = section.choice("type", scheme_names(), "eulerian");
   settings.courant = section.quantity("courant", dimension::none, {0.0, 1.0, true}, 0.25);
+  if (settings.type == "total-lagrangian") {
+    const std::array<std::string, 2> corrections{"none", "mixed"};
+    settings.corrected = section.choice("correction", corrections, "mixed") == "mixed";
+  }
   section.finish();
   settings.kernel = scene.kernel;
   auto smoothing = root.section("smoothing");

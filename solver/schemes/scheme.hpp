@@ -21,6 +21,7 @@ struct SchemeSettings {
   double courant = 0.0;  ///< C in the time step limits
   std::string kernel;
   Viscosity viscosity;
+  bool corrected = false;  ///< mixed kernel-and-gradient correction
 };
 
 /// Everything that a scheme is built from. The particles outlive the scheme.
@@ -60,6 +61,8 @@ class Scheme {
   virtual Ledger ledger() const = 0;
   /// Whether particles of different bodies act on each other.
   virtual bool in_contact() const = 0;
+  /// What a user should know about how it started; may be empty.
+  virtual std::string remark() const { return {}; }
   /// Bytes that the scheme holds beside the fields.
   virtual std::size_t memory() const = 0;
 };

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <random>
+#include <set>
 
 #include "boundary/mirror.hpp"
 #include "core/pack.hpp"
@@ -44,7 +45,8 @@ PairList listed(const Places<D>& places, std::size_t count, double reach) {
   CellGrid<D> grid;
   grid.build(places, reach);
   PairList list;
-  list.build<D>(grid, places, count, reach);
+  const std::vector<std::uint32_t> body(places.size(), 0);
+  list.build<D>(grid, places, count, reach, Pairing::all, body);
   return list;
 }
 
@@ -180,4 +182,36 @@ TEST_CASE("Neighbours: only the particles have rows, images have none", "[neighb
   std::size_t rows = 0;
   for (const auto& block : list.blocks()) rows += block.first.size() - 1;
   CHECK(rows == 200);
+}
+
+TEST_CASE("Pair lists: within bodies and across bodies are the two parts of all", "[pair_list]") {
+  Places<2> places;
+  std::vector<std::uint32_t> body;
+  for (int i = 0; i < 12; ++i)
+    for (int j = 0; j < 12; ++j) {
+      places.push_back({static_cast<double>(i), static_cast<double>(j)});
+      body.push_back(i < 5 ? 0 : 1);
+    }
+  CellGrid<2> grid;
+  const double reach = 2.5;
+  grid.build(places, reach);
+  PairList all, within, across;
+  all.build<2>(grid, places, places.size(), reach, Pairing::all, body);
+  within.build<2>(grid, places, places.size(), reach, Pairing::within_bodies, body);
+  across.build<2>(grid, places, places.size(), reach, Pairing::across_bodies, body);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    std::set<std::uint32_t> same, other, both;
+    for (const auto j : row(within, i)) {
+      CHECK(body[j] == body[i]);
+      if (j != i) same.insert(j);
+    }
+    for (const auto j : row(across, i))
+      if (j != i) {
+        CHECK(body[j] != body[i]);
+        other.insert(j);
+      }
+    for (const auto j : row(all, i))
+      if (j != i) both.insert(j);
+    CHECK(same.size() + other.size() == both.size());
+  }
 }

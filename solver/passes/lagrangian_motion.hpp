@@ -1,0 +1,145 @@
+#pragma once
+
+#include <cmath>
+
+#include "core/tensor.hpp"
+#include "passes/lagrangian_records.hpp"
+
+namespace tektite {
+
+/// x½ = x + v dt/2,  v½ = v + a dt/2.
+template <int D>
+struct PredictLagrangianMotion {
+  const Vector<double, D>* position;
+  const Vector<double, D>* velocity;
+  const Vector<double, D>* acceleration;
+  double half_step;
+  MotionRecord<D>* records;
+
+  void operator()(std::size_t i) const {
+    records[i].x = position[i] + half_step * velocity[i];
+    records[i].v = velocity[i] + half_step * acceleration[i];
+  }
+};
+
+template <int D>
+double determinant(const Tensor<double, D>& f) {
+  if constexpr (D == 1)
+    return f(0, 0);
+  else if constexpr (D == 2)
+    return f(0, 0) * f(1, 1) - f(0, 1) * f(1, 0);
+  else
+    return f(0, 0) * (f(1, 1) * f(2, 2) - f(1, 2) * f(2, 1)) - f(0, 1) * (f(1, 0) * f(2, 2) - f(1, 2) * f(2, 0)) +
+           f(0, 2) * (f(1, 0) * f(2, 1) - f(1, 1) * f(2, 0));
+}
+
+/// C = det(F) F⁻ᵀ
+template <int D>
+Tensor<double, D> cofactor(const Tensor<double, D>& f) {
+  Tensor<double, D> c;
+  if constexpr (D == 1) {
+    c(0, 0) = 1.0;
+  } else if constexpr (D == 2) {
+    c(0, 0) = f(1, 1);
+    c(0, 1) = -f(1, 0);
+    c(1, 0) = -f(0, 1);
+    c(1, 1) = f(0, 0);
+  } else {
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+        c(i, j) = f(i1, j1) * f(i2, j2) - f(i1, j2) * f(i2, j1);
+      }
+  }
+  return c;
+}
+
+/// From F and its rate in the middle of a step: cofactor and J, L = Ḟ F⁻¹, the density m/(V_0 J) and the energy there,
+/// e + (σ:L/ρ + q) dt/2 with the stress at the step's beginning.
+template <int D>
+struct Deform {
+  const Tensor<double, D>* deformation;
+  const Tensor<double, D>* rate;
+  const double* mass;
+  const double* reference_volume;
+  const double* density;
+  const double* energy;
+  const double* pressure;
+  const Symmetric<double, D>* deviatoric_stress;
+  const double* viscous_power;
+  double half_step;
+  StressRecord<D>* records;
+  Tensor<double, D>* velocity_gradient;
+  double* half_density;
+  double* half_energy;
+
+  void operator()(std::size_t i) const {
+    auto& r = records[i];
+    r.cofactor = cofactor(deformation[i]);
+    r.jacobian = determinant(deformation[i]);
+    auto& l = velocity_gradient[i];
+    for (int a = 0; a < D; ++a)
+      for (int b = 0; b < D; ++b) {  // F⁻¹ = Cᵀ/J
+        double sum = 0.0;
+        for (int k = 0; k < D; ++k) sum += rate[i](a, k) * r.cofactor(b, k);
+        l(a, b) = sum / r.jacobian;
+      }
+    half_density[i] = mass[i] / (reference_volume[i] * r.jacobian);
+    const double power = contract(deviatoric_stress[i], symmetric_part(l)) - pressure[i] * trace(l);
+    half_energy[i] = energy[i] + half_step * (power / density[i] + viscous_power[i]);
+  }
+};
+
+/// P = J σ F⁻ᵀ in the middle of a step, and what the viscosity needs.
+template <int D>
+struct AssembleStress {
+  const Symmetric<double, D>* half_deviatoric_stress;
+  const double* half_pressure;
+  const double* half_density;
+  const double* half_sound_speed;
+  StressRecord<D>* records;
+
+  void operator()(std::size_t i) const {
+    auto& r = records[i];
+    auto sigma = half_deviatoric_stress[i];
+    for (int k = 0; k < 3; ++k) sigma.c[k] -= half_pressure[i];
+    for (int a = 0; a < D; ++a)
+      for (int b = 0; b < D; ++b) {
+        double sum = 0.0;
+        for (int k = 0; k < D; ++k) sum += sigma(a, k) * r.cofactor(k, b);
+        r.stress(a, b) = sum;
+      }
+    r.density = half_density[i];
+    r.sound_speed = half_sound_speed[i];
+  }
+};
+
+/// Velocity, place, density and energy at the end of the step. The stress power P : Ḟ V_0/m is σ : L/ρ.
+template <int D>
+struct AdvanceLagrangianMotion {
+  const MotionRecord<D>* motion;
+  const Symmetric<double, D>* half_deviatoric_stress;
+  const double* half_pressure;
+  const double* half_density;
+  const Vector<double, D>* acceleration;
+  const Tensor<double, D>* velocity_gradient;
+  const double* viscous_power;
+  double step;
+  Vector<double, D>* position;
+  Vector<double, D>* velocity;
+  double* density;
+  double* energy;
+  double* viscous_work;
+
+  void operator()(std::size_t i) const {
+    velocity[i] = velocity[i] + step * acceleration[i];
+    position[i] = motion[i].x + (0.5 * step) * velocity[i];
+    const auto& l = velocity_gradient[i];
+    const double power = contract(half_deviatoric_stress[i], symmetric_part(l)) - half_pressure[i] * trace(l);
+    density[i] = half_density[i] * std::exp(-0.5 * step * trace(l));
+    energy[i] += step * (power / half_density[i] + viscous_power[i]);
+    viscous_work[i] += step * viscous_power[i];
+  }
+};
+
+}  // namespace tektite

@@ -1,0 +1,30 @@
+#include "schemes/total_lagrangian.hpp"
+
+namespace tektite {
+
+// Each space in a translation unit of its own: total_lagrangian_line.cpp and so on.
+template <Space space>
+std::unique_ptr<Scheme> make_total_lagrangian_in(const SchemeSetup& setup);
+
+std::unique_ptr<Scheme> make_total_lagrangian(const SchemeSetup& setup) {
+  if (setup.particles.bodies().size() > 1)
+    throw InputError({{},
+                      "scheme.type",
+                      "total-lagrangian",
+                      "several bodies meet by contact, which it does not have yet",
+                      "one body, or the scheme eulerian"});
+  switch (setup.particles.space()) {
+    case Space::line:
+      return make_total_lagrangian_in<Space::line>(setup);
+    case Space::plane_strain:
+      return make_total_lagrangian_in<Space::plane_strain>(setup);
+    case Space::solid:
+      return make_total_lagrangian_in<Space::solid>(setup);
+    case Space::plane_stress:
+      break;
+  }
+  throw InputError(
+      {{}, "space", "plane-stress", "the scheme total-lagrangian does not support it", "line, plane-strain, solid"});
+}
+
+}  // namespace tektite
