@@ -46,6 +46,8 @@ Event make_event(const RunFolder& run, const Scene& scene, Snapshot last) {
   event.narrow_fragments = find_fragments(event.last, link_of_smoothing_length);
   event.history = run.history;
   event.contact_time = run.number("contact_time");
+  event.snapshots = run.snapshots;
+  event.symmetry = scene.symmetry;
   return event;
 }
 

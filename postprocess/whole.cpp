@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "core/error.hpp"
+#include "core/kernel_type.hpp"
 
 namespace tektite {
 namespace {
@@ -35,11 +36,24 @@ void add_images(Whole& whole, const SymmetryPlane& plane, int bit) {
   repeat(whole.id);
   repeat(whole.source);
   repeat(whole.image);
+  repeat(whole.severed);
   for (std::size_t i = count; i < 2 * count; ++i) {
     whole.position[i][plane.axis] = 2.0 * plane.at - whole.position[i][plane.axis];
     whole.velocity[i][plane.axis] = -whole.velocity[i][plane.axis];
     whole.image[i] = static_cast<std::uint8_t>(whole.image[i] | 1u << bit);
   }
+}
+
+/// A total-Lagrangian particle whose damage has reached 1 is taken out of its neighbours' lists. An Eulerian one stays
+/// in them, and so does one of a snapshot that does not tell kernel types.
+std::vector<std::uint8_t> severed(const Particles& particles) {
+  std::vector<std::uint8_t> chosen(particles.count(), 0);
+  if (!particles.has(Field::damage) || !particles.has(Field::kernel_type)) return chosen;
+  const auto damage = particles.reals(Field::damage);
+  const auto type = particles.integers(Field::kernel_type);
+  const auto total_lagrangian = static_cast<std::int64_t>(KernelType::total_lagrangian);
+  for (std::size_t i = 0; i < chosen.size(); ++i) chosen[i] = damage[i] >= 1.0 && type[i] == total_lagrangian ? 1 : 0;
+  return chosen;
 }
 
 std::uint64_t key_of(const Whole& whole, std::size_t i) {
@@ -79,6 +93,7 @@ Whole make_whole(const Snapshot& snapshot, const std::vector<SymmetryPlane>& pla
   whole.source.resize(count);
   for (std::size_t i = 0; i < count; ++i) whole.source[i] = static_cast<std::uint32_t>(i);
   whole.image.assign(count, 0);
+  whole.severed = severed(particles);
   for (std::size_t k = 0; k < planes.size(); ++k) add_images(whole, planes[k], static_cast<int>(k));
   return whole;
 }

@@ -29,6 +29,7 @@ struct Whole {
   std::vector<std::int64_t> id;          ///< of the computed particle
   std::vector<std::uint32_t> source;     ///< place of the computed particle in the snapshot
   std::vector<std::uint8_t> image;       ///< bit k: mirrored in planes[k]; 0 for a computed particle
+  std::vector<std::uint8_t> severed;     ///< 1: a failed total-Lagrangian particle, which exchanges no force
 
   std::size_t count() const { return position.size(); }
   /// Index of the body of this name; throws RunError, naming what there is, where there is none.

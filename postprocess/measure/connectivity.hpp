@@ -1,7 +1,8 @@
 #pragma once
 // Which particles of a body still hang together.
 //
-// Two particles of one body belong together while they are nearer than `link` times their mean smoothing length. VTK's
+// Two particles of one body belong together while they are nearer than `link` times their mean smoothing length, and
+// neither of them is severed: that one is a fragment of its own. VTK's
 // vtkEuclideanClusterExtraction knows one fixed radius, no bodies, and asks a locator point by point; the cell grid
 // with union-find here takes the radius from the pair and is linear in the number of particles.
 

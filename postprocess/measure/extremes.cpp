@@ -1,4 +1,4 @@
-// Largest value of a field in the last snapshot.
+// Largest and smallest value of a field in the last snapshot.
 
 #include <fmt/format.h>
 
@@ -11,16 +11,19 @@
 namespace tektite {
 namespace {
 
+enum class Extreme { least, largest };
+
 /// A single particle stands for a cell of one spacing, over which the field varies: the uncertainty is the difference
-/// between the largest value and the mean of those within one smoothing length of it in the same body.
-Measured largest(const Event& event, const std::string& body_name, Field field) {
+/// between the extreme value and the mean of those within one smoothing length of it in the same body.
+Measured extreme(const Event& event, const std::string& body_name, Field field, Extreme which) {
   const auto& particles = event.last_snapshot.particles;
   if (!particles.has(field)) throw RunError(fmt::format("the last snapshot has no {}", info(field).name));
   const auto values = particles.reals(field).first(particles.count());
   const auto& body = event.last.bodies[static_cast<std::size_t>(event.last.body_named(body_name))];
   const auto first = values.begin() + static_cast<std::ptrdiff_t>(body.range.begin);
   const auto last = values.begin() + static_cast<std::ptrdiff_t>(body.range.end);
-  const auto at = static_cast<std::size_t>(std::max_element(first, last) - values.begin());
+  const auto found = which == Extreme::largest ? std::max_element(first, last) : std::min_element(first, last);
+  const auto at = static_cast<std::size_t>(found - values.begin());
   double sum = 0.0;
   std::size_t count = 0;
   for (auto i = body.range.begin; i < body.range.end; ++i) {
@@ -28,22 +31,31 @@ Measured largest(const Event& event, const std::string& body_name, Field field) 
     sum += values[i];
     ++count;
   }
-  return {values[at], event.last.time, values[at] - sum / static_cast<double>(count), {}};
+  return {values[at], event.last.time, std::abs(values[at] - sum / static_cast<double>(count)), {}};
 }
 
-Measure read_largest(Section& section, const Declared& declared, Field field) {
+Measure read_extreme(Section& section, const Declared& declared, Field field, Extreme which) {
   const auto body = read_body(section, "body", declared);
-  return [=](const Event& event) { return largest(event, body, field); };
+  return [=](const Event& event) { return extreme(event, body, field, which); };
 }
 
 }  // namespace
 
 Measure read_max_plastic_strain(Section& section, const Declared& declared) {
-  return read_largest(section, declared, Field::plastic_strain);
+  return read_extreme(section, declared, Field::plastic_strain, Extreme::largest);
 }
 
 Measure read_max_temperature(Section& section, const Declared& declared) {
-  return read_largest(section, declared, Field::temperature);
+  return read_extreme(section, declared, Field::temperature, Extreme::largest);
+}
+
+Measure read_max_pressure(Section& section, const Declared& declared) {
+  return read_extreme(section, declared, Field::pressure, Extreme::largest);
+}
+
+/// Negative where the body is under tension somewhere.
+Measure read_min_pressure(Section& section, const Declared& declared) {
+  return read_extreme(section, declared, Field::pressure, Extreme::least);
 }
 
 }  // namespace tektite

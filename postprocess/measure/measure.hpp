@@ -32,6 +32,8 @@ struct Event {
   Fragments narrow_fragments;  ///< of `last`, linked over one smoothing length
   std::optional<History> history;
   std::optional<double> contact_time;  ///< in s
+  std::vector<std::string> snapshots;  ///< files by time, the initial state first
+  std::vector<SymmetryPlane> symmetry;
 };
 
 /// A line to draw for a measure, in the coordinates of the scene.

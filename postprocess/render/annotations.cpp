@@ -141,13 +141,13 @@ void add_colour_bar(vtkRenderer* overlay, vtkScalarsToColors* colours, const std
   text->GetTextProperty()->SetJustificationToRight();
 }
 
-void add_legend(vtkRenderer* overlay, const std::vector<std::string>& names) {
+void add_legend(vtkRenderer* overlay, const std::vector<Category>& categories) {
   const auto* size = overlay->GetSize();
   const double line = text_size(overlay, 0.045);
-  for (std::size_t k = 0; k < names.size(); ++k) {
+  for (std::size_t k = 0; k < categories.size(); ++k) {
     const Pixel at{0.87 * size[0], 0.8 * size[1] - line * static_cast<double>(k)};
-    add_lines(overlay, {{at, {at.x + 0.5 * line, at.y}}}, 0.5 * line, distinct_colour(k));
-    const auto text = add_text(overlay, names[k], {at.x + 0.7 * line, at.y}, text_size(overlay, 0.026));
+    add_lines(overlay, {{at, {at.x + 0.5 * line, at.y}}}, 0.5 * line, categories[k].colour);
+    const auto text = add_text(overlay, categories[k].name, {at.x + 0.7 * line, at.y}, text_size(overlay, 0.026));
     text->GetTextProperty()->SetVerticalJustificationToCentered();
   }
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "postprocess/measure/measure.hpp"
+#include "postprocess/render/categories.hpp"
 
 class vtkRenderer;
 class vtkScalarsToColors;
@@ -14,8 +15,8 @@ namespace tektite {
 /// `overlay` covers the window; `scene` is the renderer of the particles, its camera aimed.
 void add_title(vtkRenderer* overlay, const std::string& title, const std::string& subtitle);
 void add_colour_bar(vtkRenderer* overlay, vtkScalarsToColors* colours, const std::string& title);
-/// A coloured square and a name for each of `names`, in the distinct colours.
-void add_legend(vtkRenderer* overlay, const std::vector<std::string>& names);
+/// A coloured square and a name for each category.
+void add_legend(vtkRenderer* overlay, const std::vector<Category>& categories);
 /// A bar of a round length, below the particles.
 void add_scale_bar(vtkRenderer* overlay, vtkRenderer* scene);
 

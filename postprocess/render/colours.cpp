@@ -37,12 +37,12 @@ vtkSmartPointer<vtkScalarsToColors> continuous_colours(double least, double most
   return colours;
 }
 
-vtkSmartPointer<vtkScalarsToColors> distinct_colours(std::size_t count) {
+vtkSmartPointer<vtkScalarsToColors> listed_colours(const std::vector<Colour>& list) {
   auto colours = vtkSmartPointer<vtkLookupTable>::New();
-  colours->SetNumberOfTableValues(static_cast<vtkIdType>(count));
-  colours->SetTableRange(-0.5, static_cast<double>(count) - 0.5);
-  for (std::size_t k = 0; k < count; ++k) {
-    const auto& [red, green, blue] = distinct_colour(k);
+  colours->SetNumberOfTableValues(static_cast<vtkIdType>(list.size()));
+  colours->SetTableRange(-0.5, static_cast<double>(list.size()) - 0.5);
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    const auto& [red, green, blue] = list[k];
     colours->SetTableValue(static_cast<vtkIdType>(k), red, green, blue);
   }
   return colours;

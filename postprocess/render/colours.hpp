@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 class vtkScalarsToColors;
 
@@ -16,9 +17,10 @@ using Colour = std::array<double, 3>;  ///< red, green, blue between 0 and 1
 /// Source: S. van der Walt and N. Smith, matplotlib (CC0); nine of its colours, interpolated in CIELAB.
 vtkSmartPointer<vtkScalarsToColors> continuous_colours(double least, double most);
 
-/// One colour for each of the numbers 0, 1, 2, ...: M. Okabe and K. Ito's colours, which all eyes tell apart; they
-/// repeat.
-vtkSmartPointer<vtkScalarsToColors> distinct_colours(std::size_t count);
+/// The given colours for the numbers 0, 1, 2, ...
+vtkSmartPointer<vtkScalarsToColors> listed_colours(const std::vector<Colour>& list);
+
+/// M. Okabe and K. Ito's colours, which all eyes tell apart; they repeat.
 const Colour& distinct_colour(std::size_t k);
 
 }  // namespace tektite

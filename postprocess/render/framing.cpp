@@ -20,15 +20,13 @@ struct Looking {
   Point up;
 };
 
-Looking look(int dimensions, const SymmetryPlane* cut) {
+Looking look(int dimensions, const Picture& picture, const std::optional<SymmetryPlane>& cut) {
   if (dimensions < 3) return {{0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}};
-  const int axis = cut ? cut->axis : 2;
-  const double side = cut ? -cut->side : 1.0;
   auto from = Point{0.35, 0.35, 0.35};
-  from[axis] = side;
-  auto up = Point::zero();
-  up[axis == 1 ? 2 : 1] = 1.0;
-  return {unit(from), up};
+  from[cut ? cut->axis : 2] = cut ? -cut->side : 1.0;
+  if (picture.from) from = *picture.from;
+  const bool from_above = std::abs(from[1]) > std::max(std::abs(from[0]), std::abs(from[2]));
+  return {unit(from), from_above ? Point{0.0, 0.0, 1.0} : Point{0.0, 1.0, 0.0}};
 }
 
 }  // namespace
@@ -64,8 +62,22 @@ Box framed(const Picture& picture, const Whole& whole, const std::vector<bool>& 
   return box;
 }
 
-void aim_camera(vtkRenderer* renderer, const Box& box, int dimensions, const SymmetryPlane* cut) {
-  const auto looking = look(dimensions, cut);
+std::optional<SymmetryPlane> cut_of(const Picture& picture, const Scene& scene) {
+  if (dimensions_of(scene.space) < 3 || picture.cut == "none") return std::nullopt;
+  SymmetryPlane cut;
+  if (picture.cut == "automatic") {
+    if (scene.symmetry.empty()) return std::nullopt;
+    cut = scene.symmetry.front();
+  } else {
+    cut = {picture.cut.front() - 'x', picture.cut_at, -1.0};
+  }
+  if (picture.from && (*picture.from)[cut.axis] != 0.0) cut.side = (*picture.from)[cut.axis] > 0.0 ? -1.0 : 1.0;
+  return cut;
+}
+
+void aim_camera(vtkRenderer* renderer, const Box& box, int dimensions, const Picture& picture,
+                const std::optional<SymmetryPlane>& cut) {
+  const auto looking = look(dimensions, picture, cut);
   const auto right = unit(cross(looking.up, looking.from));
   const auto up = cross(looking.from, right);
   double half_width = 0.0;

@@ -1,6 +1,7 @@
 #pragma once
 // What part of space a picture shows, and from where.
 
+#include <optional>
 #include <vector>
 
 #include "postprocess/measure/measure.hpp"
@@ -29,8 +30,14 @@ struct Box {
 Box framed(const Picture& picture, const Whole& whole, const std::vector<bool>& drawn,
            const std::vector<Segment>& segments);
 
+/// How a solid scene is opened for a picture: a plane and the side of it that is kept; nullopt where it stays closed. A
+/// cut takes away what is on the camera's side of it.
+std::optional<SymmetryPlane> cut_of(const Picture& picture, const Scene& scene);
+
 /// Points a parallel camera at the box so that it fills the renderer's viewport: a plane scene face on, a solid one
-/// obliquely, from the side that a cut (an axis and the side of it that is kept) opens.
-void aim_camera(vtkRenderer* renderer, const Box& box, int dimensions, const SymmetryPlane* cut);
+/// from the direction that the picture names, or else obliquely, into the cut where there is one. Parallel, so that the
+/// scale bar and the lines of the measures hold everywhere.
+void aim_camera(vtkRenderer* renderer, const Box& box, int dimensions, const Picture& picture,
+                const std::optional<SymmetryPlane>& cut);
 
 }  // namespace tektite

@@ -8,9 +8,11 @@
 #include <vtkSmartPointer.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "core/error.hpp"
 #include "postprocess/render/annotations.hpp"
+#include "postprocess/render/categories.hpp"
 #include "postprocess/render/colours.hpp"
 #include "postprocess/render/framing.hpp"
 #include "postprocess/render/image.hpp"
@@ -21,18 +23,14 @@
 namespace tektite {
 namespace {
 
-/// A solid scene with a symmetry plane is left open there, to show what is inside.
-const SymmetryPlane* cut_of(const Scene& scene) {
-  return dimensions_of(scene.space) == 3 && !scene.symmetry.empty() ? &scene.symmetry.front() : nullptr;
-}
-
-std::vector<bool> particles_to_draw(const Picture& picture, const Whole& whole, bool cut) {
+std::vector<bool> particles_to_draw(const Picture& picture, const Whole& whole,
+                                    const std::optional<SymmetryPlane>& cut) {
   std::vector<bool> drawn(whole.count());
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     const auto& body = whole.bodies[static_cast<std::size_t>(whole.body[i])].name;
     const bool wanted =
         picture.bodies.empty() || std::find(picture.bodies.begin(), picture.bodies.end(), body) != picture.bodies.end();
-    drawn[i] = wanted && !(cut && (whole.image[i] & 1u) != 0);
+    drawn[i] = wanted && !(cut && (whole.position[i][cut->axis] - cut->at) * cut->side < 0.0);
   }
   if (std::find(drawn.begin(), drawn.end(), true) == drawn.end()) throw RunError("there is no particle to draw");
   return drawn;
@@ -51,6 +49,18 @@ std::pair<double, double> colour_range(const std::vector<double>& values, const 
   if (most > least) return {least, most};
   const double half = least == 0.0 ? 1.0 : 0.5 * std::abs(least);
   return {least - half, least + half};
+}
+
+/// Damage is between 0 and 1 by its meaning; so are its colours, that pictures of several times can be compared.
+std::pair<double, double> usual_range(const std::string& field, const std::vector<double>& values,
+                                      const std::vector<bool>& drawn) {
+  return field == info(Field::damage).name ? std::pair{0.0, 1.0} : colour_range(values, drawn);
+}
+
+vtkSmartPointer<vtkScalarsToColors> colours_of(const std::vector<Category>& categories) {
+  std::vector<Colour> colours;
+  for (const auto& category : categories) colours.push_back(category.colour);
+  return listed_colours(colours);
 }
 
 std::string readable(std::string name) {
@@ -102,18 +112,18 @@ void draw_particles(const Picture& picture, const Snapshot& snapshot, const Draw
   const auto field = scalar_field(snapshot, picture.field);
   if (!field) throw RunError(fmt::format("the snapshot at {} s has no {}", snapshot.time(), picture.field));
   const auto whole = make_whole(snapshot, drawing.scene.symmetry);
-  const auto* cut = cut_of(drawing.scene);
-  const auto drawn = particles_to_draw(picture, whole, cut != nullptr);
+  const auto cut = cut_of(picture, drawing.scene);
+  const auto drawn = particles_to_draw(picture, whole, cut);
 
   std::vector<double> values(whole.count());
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = (*field)[whole.source[i]];
-  const auto range = picture.range.value_or(colour_range(values, drawn));
+  const auto range = picture.range.value_or(usual_range(picture.field, values, drawn));
   const auto unit =
       shown_unit(std::max(std::abs(range.first), std::abs(range.second)), scalar_field_unit(picture.field));
   for (auto& value : values) value *= unit.factor;
-  const bool names = picture.field == "body";
-  const auto colours = names ? distinct_colours(whole.bodies.size())
-                             : continuous_colours(range.first * unit.factor, range.second * unit.factor);
+  const auto categories = categories_of(picture.field, whole);
+  const auto colours =
+      categories ? colours_of(*categories) : continuous_colours(range.first * unit.factor, range.second * unit.factor);
 
   const auto scene = vtkSmartPointer<vtkRenderer>::New();
   const auto overlay = vtkSmartPointer<vtkRenderer>::New();
@@ -122,16 +132,14 @@ void draw_particles(const Picture& picture, const Snapshot& snapshot, const Draw
   const auto lines = dimension_lines(picture, drawing, snapshot.time());
   std::vector<Segment> segments;
   for (const auto& line : lines) segments.push_back(line.segment);
-  aim_camera(scene, framed(picture, whole, drawn, segments), whole.dimensions, cut);
+  aim_camera(scene, framed(picture, whole, drawn, segments), whole.dimensions, picture, cut);
 
   add_dimension_lines(scene, lines);
   add_title(overlay, drawing.scene.title,
             fmt::format("{}, {}", readable(picture.field), time_in_words(snapshot.time(), drawing.event.contact_time)));
   add_scale_bar(overlay, scene);
-  if (names) {
-    std::vector<std::string> bodies;
-    for (const auto& body : whole.bodies) bodies.push_back(body.name);
-    add_legend(overlay, bodies);
+  if (categories) {
+    add_legend(overlay, *categories);
   } else {
     add_colour_bar(overlay, colours, readable(picture.field) + (unit.label.empty() ? "" : ", " + unit.label));
   }

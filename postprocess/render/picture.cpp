@@ -39,6 +39,20 @@ std::vector<double> read_times(Section& picture) {
   return times;
 }
 
+void read_solid_view(Section& section, Picture& picture) {
+  picture.cut = section.choice("cut", cut_names, picture.cut);
+  if (section.has("cut_at")) {
+    if (picture.cut.size() != 1)
+      throw section.fault("cut_at", "needs an axis that is cut", "cut = \"x\", \"y\" or \"z\"");
+    picture.cut_at = section.quantity("cut_at", dimension::length);
+  }
+  if (section.has("from")) {
+    const auto values = section.quantities("from", dimension::none, 3);
+    picture.from = Point{values[0], values[1], values[2]};
+    if (norm(*picture.from) == 0.0) throw section.fault("from", "a direction cannot be zero");
+  }
+}
+
 void read_particles(Section& section, const Declared& declared, Picture& picture) {
   picture.field = section.choice("field", scalar_field_names());
   picture.bodies = section.texts("bodies", declared.bodies);
@@ -55,6 +69,7 @@ void read_particles(Section& section, const Declared& declared, Picture& picture
   else
     picture.all_times = section.choice("time", std::vector<std::string>{"last", "all"}, "last") == "all";
   picture.view = read_view(section, declared.space);
+  if (dimensions_of(declared.space) == 3) read_solid_view(section, picture);
   picture.measures = section.flag("measures", true);
 }
 
@@ -103,7 +118,7 @@ std::vector<Picture> read_pictures(Section& root, const Declared& declared) {
 
 std::vector<Picture> default_pictures(const Snapshot& last, const std::optional<History>& history) {
   std::vector<Picture> pictures;
-  for (const auto* field : {"pressure", "plastic_strain"})
+  for (const auto* field : {"pressure", "plastic_strain", "damage", "kernel_type"})
     if (last.particles.has(field_named(field).value())) pictures.push_back(particles_of(field));
   pictures.push_back(particles_of("speed"));
   pictures.push_back(particles_of("body"));

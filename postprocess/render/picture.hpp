@@ -18,6 +18,9 @@ struct Region {
   std::vector<double> upper;
 };
 
+/// How a solid scene is opened: at its first symmetry plane if it has one; not at all; across an axis.
+inline const std::vector<std::string> cut_names{"automatic", "none", "x", "y", "z"};
+
 struct Picture {
   std::string name;  ///< names the file
   PictureType type = PictureType::particles;
@@ -31,6 +34,9 @@ struct Picture {
   bool all_times = false;                          ///< every snapshot, not only the last one
   std::vector<double> times;                       ///< in s: the snapshots nearest to these
   std::optional<Region> view;                      ///< what is seen; everything coherent where it is not given
+  std::string cut = "automatic";                   ///< in space: a name of cut_names
+  double cut_at = 0.0;                             ///< in m: where the axis `cut` is cut
+  std::optional<Point> from;                       ///< in space: the direction towards the camera
   bool measures = true;                            ///< whether the measures are drawn on it
 
   // history
