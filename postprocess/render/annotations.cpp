@@ -144,8 +144,13 @@ void add_colour_bar(vtkRenderer* overlay, vtkScalarsToColors* colours, const std
 void add_legend(vtkRenderer* overlay, const std::vector<Category>& categories) {
   const auto* size = overlay->GetSize();
   const double line = text_size(overlay, 0.045);
+  std::size_t longest = 0;
+  for (const auto& category : categories) longest = std::max(longest, category.name.size());
+  // A letter is about 0.55 of the font's size wide; a long name moves the legend to the left.
+  const double width = 0.7 * line + 0.55 * text_size(overlay, 0.026) * static_cast<double>(longest);
+  const double left = std::min(0.87 * size[0], 0.985 * size[0] - width);
   for (std::size_t k = 0; k < categories.size(); ++k) {
-    const Pixel at{0.87 * size[0], 0.8 * size[1] - line * static_cast<double>(k)};
+    const Pixel at{left, 0.8 * size[1] - line * static_cast<double>(k)};
     add_lines(overlay, {{at, {at.x + 0.5 * line, at.y}}}, 0.5 * line, categories[k].colour);
     const auto text = add_text(overlay, categories[k].name, {at.x + 0.7 * line, at.y}, text_size(overlay, 0.026));
     text->GetTextProperty()->SetVerticalJustificationToCentered();

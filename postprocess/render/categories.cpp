@@ -3,7 +3,7 @@
 namespace tektite {
 namespace {
 
-constexpr Colour dark{0.16, 0.22, 0.40};
+constexpr Colour dark{0.20, 0.33, 0.60};
 constexpr Colour light{0.98, 0.78, 0.40};
 
 }  // namespace

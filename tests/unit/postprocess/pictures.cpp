@@ -98,6 +98,42 @@ TEST_CASE("Pictures: bodies have distinct colours, and an undeformed body shows 
   CHECK(colours.at(blue) > 0.95 * 2e-3 * pixels_per_metre * 0.81 * 400);
 }
 
+TEST_CASE("Pictures: kernel types have their own two colours, whichever of them there are") {
+  Made made(Space::plane_strain);
+  made.event.last_snapshot.particles.allocate(Field::kernel_type);
+  for (auto& type : made.event.last_snapshot.particles.integers(Field::kernel_type).first(80)) type = 1;
+  REQUIRE(made.draw(small_picture("kernel_type")).size() == 1);
+  auto colours = colours_of(made.folder.file("pictures/kernel_type.png"));
+  const Colour dark{51, 84, 153};
+  const Colour light{250, 199, 102};
+  CHECK(colours[dark] > 100);
+  CHECK(colours[light] > 100);
+  for (auto& type : made.event.last_snapshot.particles.integers(Field::kernel_type)) type = 1;
+  REQUIRE(made.draw(small_picture("kernel_type")).size() == 1);
+  auto eulerian = colours_of(made.folder.file("pictures/kernel_type.png"));
+  CHECK(eulerian[light] > colours[light]);
+  CHECK(eulerian[dark] > 0);  // the legend names both
+  CHECK(eulerian[dark] < colours[dark]);
+}
+
+TEST_CASE("Pictures: a cut through a solid takes away one half of it") {
+  Made made(Space::solid);
+  auto picture = small_picture("body");
+  picture.bodies = {"target"};
+  picture.measures = false;
+  picture.from = Point{1.0, 0.0, 0.0};
+  picture.view = Region{{-2e-3, -20e-3, -20e-3}, {4e-3, 20e-3, 20e-3}};
+  const auto covered = [&](const std::string& cut) {
+    picture.cut = cut;
+    REQUIRE(made.draw(picture).size() == 1);
+    return 640 * 400 - colours_of(made.folder.file("pictures/body.png")).at({255, 255, 255});
+  };
+  // What is written on the picture covers a few per cent as well and stays.
+  const int whole = covered("none");
+  CHECK(covered("y") > 0.5 * whole);
+  CHECK(covered("y") < 0.6 * whole);
+}
+
 TEST_CASE("Pictures: a history is drawn with one line a column") {
   Made made(Space::plane_strain);
   std::ofstream(made.folder.file("history.csv")) << "time,kinetic_energy,internal_energy\n0,10,0\n1e-6,6,4\n2e-6,5,5\n";

@@ -62,10 +62,27 @@ TEST_CASE("Plan: values that cannot be are refused") {
   refuses("[picture.a]\nfield = \"pressure\"\nrange = [1, 0]\n", {"must rise"});
   refuses("[picture.a]\nfield = \"pressure\"\nrange = [\"0 m\", \"1 m\"]\n", {"length", "pressure"});
   refuses("[picture.a]\nfield = \"pressure\"\nwidth = 5\n", {"out of range"});
+  refuses("[picture.a]\nfield = \"pressure\"\ncut = \"z\"\n", {"picture.a.cut", "unknown key"});  // in the plane
   refuses("[picture.a]\nfield = \"pressure\"\ntimes = [\"1 m\"]\n", {"is not a time"});
   refuses("[picture.a]\nfield = \"pressure\"\nview = { lower = [0, 0], upper = [1, 0] }\n", {"must lie above"});
   refuses("[picture.\"a/b\"]\nfield = \"pressure\"\n", {"plain"});
   refuses("[measure.travel]\ntype = \"projectile_travel\"\nbody = \"target\"\naxis = [0, 0]\n", {"cannot be zero"});
+}
+
+TEST_CASE("Plan: a solid picture may be cut and turned, and what cannot be is refused") {
+  const auto plan_with = [](const std::string& keys) {
+    auto document = Document::parse(
+        "name = \"a\"\nspace = \"solid\"\n[body.b]\n[picture.a]\nfield = \"pressure\"\n" + keys, "scene.toml");
+    return read_plan(document);
+  };
+  const auto picture = plan_with("cut = \"x\"\ncut_at = \"2 mm\"\nfrom = [1, 0, 2]\n").pictures.front();
+  CHECK(picture.cut == "x");
+  CHECK(picture.cut_at == Approx(2e-3));
+  CHECK((*picture.from)[2] == 2.0);
+  CHECK(plan_with("").pictures.front().cut == "automatic");
+  CHECK_THROWS_WITH(plan_with("cut = \"w\"\n"), Catch::Contains("automatic, none, x, y, z"));
+  CHECK_THROWS_WITH(plan_with("cut_at = \"2 mm\"\n"), Catch::Contains("needs an axis"));
+  CHECK_THROWS_WITH(plan_with("from = [0, 0, 0]\n"), Catch::Contains("cannot be zero"));
 }
 
 TEST_CASE("References: entries hold for their variants, with what they allow") {
