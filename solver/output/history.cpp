@@ -29,7 +29,8 @@ std::string kept_lines(const std::string& path, std::int64_t last_step) {
 
 History::History(const std::string& path, int dimensions, const std::vector<std::string>& probe_columns) : path_(path) {
   std::string header =
-      "step,time,dt,dt_reason,dt_particle,kinetic_energy,internal_energy,plastic_work,viscous_work,total_energy";
+      "step,time,dt,dt_reason,dt_particle,kinetic_energy,internal_energy,plastic_work,viscous_work,contact_energy,"
+      "total_energy";
   for (int k = 0; k < dimensions; ++k) header += fmt::format(",momentum_{}", "xyz"[k]);
   for (const auto& column : probe_columns) header += "," + column;
   write_text_beside(path, header + '\n');
@@ -44,8 +45,8 @@ History::History(const std::string& path, std::int64_t last_step) : path_(path) 
 void History::write(const Row& row) {
   const auto& ledger = row.ledger;
   auto line =
-      fmt::format("{},{},{},{},{},{},{},{},{},{}", row.step, row.time, row.dt, row.reason, row.limiting_particle,
-                  ledger.kinetic, ledger.internal, ledger.plastic, ledger.viscous, ledger.total());
+      fmt::format("{},{},{},{},{},{},{},{},{},{},{}", row.step, row.time, row.dt, row.reason, row.limiting_particle,
+                  ledger.kinetic, ledger.internal, ledger.plastic, ledger.viscous, ledger.contact, ledger.total());
   for (const double component : ledger.momentum) line += fmt::format(",{}", component);
   for (const double value : row.probes) line += fmt::format(",{}", value);
   file_ << line << '\n' << std::flush;

@@ -49,7 +49,7 @@ RunSummary summarise(const Simulation& simulation, const RunTimer& timer, bool i
   summary.particle_steps_per_second = computing > 0.0 ? particle_steps / computing : 0.0;  // a run may be over already
   summary.peak_memory_bytes = peak_memory();
   summary.bytes_per_particle = (particles.memory() + simulation.scheme().memory()) / particles.count();
-  const auto ledger = simulation.scheme().ledger();
+  const auto ledger = simulation.ledger();
   summary.energy_drift = simulation.energy_drift(ledger);
   summary.momentum_drift = simulation.momentum_drift(ledger);
   summary.interrupted = interrupted;

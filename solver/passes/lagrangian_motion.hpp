@@ -58,6 +58,7 @@ Tensor<double, D> cofactor(const Tensor<double, D>& f) {
 /// e + (σ:L/ρ + q) dt/2 with the stress at the step's beginning.
 template <int D>
 struct Deform {
+  const ReferenceRecord<D>* reference;  ///< without volume where the particle has failed: it is not deformed any more
   const Tensor<double, D>* deformation;
   const Tensor<double, D>* rate;
   const double* mass;
@@ -75,9 +76,17 @@ struct Deform {
 
   void operator()(std::size_t i) const {
     auto& r = records[i];
+    auto& l = velocity_gradient[i];
+    if (reference[i].volume == 0.0) {
+      r.cofactor = Tensor<double, D>::zero();
+      r.jacobian = 1.0;
+      l = Tensor<double, D>::zero();
+      half_density[i] = density[i];
+      half_energy[i] = energy[i];
+      return;
+    }
     r.cofactor = cofactor(deformation[i]);
     r.jacobian = determinant(deformation[i]);
-    auto& l = velocity_gradient[i];
     for (int a = 0; a < D; ++a)
       for (int b = 0; b < D; ++b) {  // F⁻¹ = Cᵀ/J
         double sum = 0.0;

@@ -8,7 +8,7 @@
 namespace tektite {
 
 /// Which criterion limits a time step.
-enum class StepLimit { sound, viscosity, acceleration, growth, end };
+enum class StepLimit { sound, viscosity, acceleration, contact, growth, end };
 
 constexpr const char* name_of(StepLimit limit) {
   switch (limit) {
@@ -18,6 +18,8 @@ constexpr const char* name_of(StepLimit limit) {
       return "viscosity";
     case StepLimit::acceleration:
       return "acceleration";
+    case StepLimit::contact:
+      return "contact";
     case StepLimit::growth:
       return "growth";
     case StepLimit::end:

@@ -107,7 +107,7 @@ class Run {
   void write_history() {
     if (simulation_.steps() % simulation_.settings().history_interval != 0 && !simulation_.finished()) return;
     const auto& last = simulation_.last_step();
-    ledger_ = simulation_.scheme().ledger();
+    ledger_ = simulation_.ledger();
     const auto& particles = simulation_.particles();
     const bool first = simulation_.steps() == 0;
     history_.write({simulation_.steps(), simulation_.time(), first ? 0.0 : last.dt,

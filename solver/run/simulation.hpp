@@ -35,6 +35,7 @@ class Simulation {
   const Particles& particles() const { return snapshot_.particles; }
   const RunSettings& settings() const { return settings_; }
   const Scheme& scheme() const { return *scheme_; }
+  Ledger ledger() const { return scheme_->ledger(); }
   const Profile& profile() const { return profile_; }
 
   /// The state as it can be saved; `state` takes what others want to keep.

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
+#include "boundary/kernel_contact.hpp"
 #include "neighbours/neighbourhood.hpp"
 #include "parallel/for_each_pair.hpp"
 #include "parallel/reduce.hpp"
@@ -11,6 +13,7 @@
 #include "passes/body_contact.hpp"
 #include "passes/energy_sums.hpp"
 #include "passes/eulerian_rates.hpp"
+#include "passes/hold_clamped.hpp"
 #include "passes/predict_motion.hpp"
 #include "passes/smoothing.hpp"
 #include "schemes/material_passes.hpp"
@@ -31,7 +34,11 @@ class EulerianScheme final : public Scheme {
         viscosity_(std::get<MonaghanViscosity>(setup.settings.viscosity)),
         materials_(setup.particles, setup.materials),
         smoothing_(smallest_and_largest(setup.particles)),
-        neighbourhood_(setup.particles, Kernel::support * smoothing_.second, setup.symmetry) {}
+        neighbourhood_(setup.particles, Kernel::support * smoothing_.second, setup.symmetry,
+                       {setup.settings.contact ? Pairing::within_bodies : Pairing::all}) {
+    if (settings_.contact)
+      contact_.emplace(particles_, setup.materials, neighbourhood_.support(), setup.symmetry, *settings_.contact);
+  }
 
   void start() override {
     for (const auto field :
@@ -47,14 +54,19 @@ class EulerianScheme final : public Scheme {
     allocate_scratch();
     materials_.for_each_run([&](const auto& run) { evaluate_state(run); });
     neighbourhood_.prepare(0.0);
+    if (contact_) contact_->start();
     evaluate_rates(0.0);
   }
 
   void restore(const std::map<std::string, double>& state) override {
     allocate_scratch();
     neighbourhood_.restore(state.at("search_reach"));
+    if (contact_) contact_->restore(state);
   }
-  void save(std::map<std::string, double>& state) const override { state["search_reach"] = neighbourhood_.reach(); }
+  void save(std::map<std::string, double>& state) const override {
+    state["search_reach"] = neighbourhood_.reach();
+    if (contact_) contact_->save(state);
+  }
 
   void step(double dt) override {
     search(dt);
@@ -75,24 +87,33 @@ class EulerianScheme final : public Scheme {
                                 p.vectors<D>(Field::acceleration)};
     const auto least = reduce(p.count(), typename TimeStepLimit<D>::Least{std::numeric_limits<double>::infinity()},
                               pass, TimeStepLimit<D>::join);
-    return {least.dt, least.reason, least.particle};
+    const auto contact = contact_ ? contact_->stable_step(settings_.courant) : least;
+    const auto& choice = contact.dt < least.dt ? contact : least;
+    return {choice.dt, choice.reason, choice.particle};
   }
 
-  Ledger ledger() const override {
+  Ledger ledger() override {
     const Particles& p = particles_;
     const EnergySums<D> pass{
         p.scalars(Field::mass), p.vectors<D>(Field::velocity), p.scalars(Field::specific_internal_energy),
         p.has(Field::plastic_work) ? p.scalars(Field::plastic_work) : nullptr, p.scalars(Field::viscous_work)};
     const auto sums = reduce(p.count(), typename EnergySums<D>::Sums{}, pass, EnergySums<D>::join);
-    return {sums.kinetic, sums.internal, sums.plastic, sums.viscous, {sums.momentum.c, sums.momentum.c + D}};
+    return {sums.kinetic,
+            sums.internal,
+            sums.plastic,
+            sums.viscous,
+            contact_ ? contact_->energy() : 0.0,
+            {sums.momentum.c, sums.momentum.c + D}};
   }
 
   bool in_contact() const override {
+    if (contact_) return contact_->touching();
     return body_contact(neighbourhood_.pairs(), particles_.bodies(), records_, Kernel::support);
   }
 
   std::size_t memory() const override {
-    return neighbourhood_.memory() + records_.capacity() * sizeof(EulerianRecord<D>);
+    return neighbourhood_.memory() + (contact_ ? contact_->memory() : 0) +
+           records_.capacity() * sizeof(EulerianRecord<D>);
   }
 
  private:
@@ -112,7 +133,8 @@ class EulerianScheme final : public Scheme {
 
   void search(double dt) {
     const auto scope = profile_.time("search");
-    neighbourhood_.prepare(dt);
+    const bool ordered = neighbourhood_.prepare(dt);
+    if (contact_) contact_->prepare(dt, ordered);
   }
 
   /// Accelerations, velocity gradients and heating in the middle of a step.
@@ -123,7 +145,13 @@ class EulerianScheme final : public Scheme {
       sum_over_pairs<UniformSmoothing>();
     else
       sum_over_pairs<MeanSmoothing>();
-    neighbourhood_.mirror().hold(particles_.template vectors<D>(Field::acceleration));
+    auto& p = particles_;
+    if (contact_)
+      contact_->add_forces([this](std::size_t i) { return records_[i].x; }, p.template vectors<D>(Field::acceleration));
+    if (p.has(Field::clamped))
+      run_through({0, p.count()},
+                  HoldClamped<D>{p.integers(Field::clamped).data(), p.template vectors<D>(Field::acceleration)});
+    neighbourhood_.mirror().hold(p.template vectors<D>(Field::acceleration));
   }
 
   void predict(double half_step) {
@@ -203,6 +231,7 @@ class EulerianScheme final : public Scheme {
   MaterialPasses<D, plane_stress> materials_;
   std::pair<double, double> smoothing_;  ///< smallest and largest h
   Neighbourhood<D> neighbourhood_;
+  std::optional<KernelContact<D, Kernel>> contact_;
   std::vector<EulerianRecord<D>> records_;
 };
 

@@ -33,10 +33,10 @@ SchemeSettings read_scheme(Section& root, const Scene& scene) {
   auto section = root.section_or_empty("scheme");
   settings.type = section.choice("type", scheme_names(), "eulerian");
   settings.courant = section.quantity("courant", dimension::none, {0.0, 1.0, true}, 0.25);
-  if (settings.type == "total-lagrangian") {
-    const std::array<std::string, 2> corrections{"none", "mixed"};
-    settings.corrected = section.choice("correction", corrections, "mixed") == "mixed";
-  }
+  const bool lagrangian = settings.type == "total-lagrangian";
+  const std::vector<std::string> corrections =
+      lagrangian ? std::vector<std::string>{"mixed", "none"} : std::vector<std::string>{"none"};
+  settings.corrected = section.choice("correction", corrections, corrections.front()) == "mixed";
   section.finish();
   settings.kernel = scene.kernel;
   auto smoothing = root.section("smoothing");
@@ -45,6 +45,7 @@ SchemeSettings read_scheme(Section& root, const Scene& scene) {
   const auto names = Family<Viscosity>::names();
   viscosity.choice("model", names, names.front());
   settings.viscosity = Family<Viscosity>::read(viscosity);
+  settings.contact = read_contact(root);
   return settings;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "boundary/contact_settings.hpp"
 #include "core/particles.hpp"
 #include "core/scene.hpp"
 #include "output/profile.hpp"
@@ -22,6 +23,7 @@ struct SchemeSettings {
   std::string kernel;
   Viscosity viscosity;
   bool corrected = false;  ///< mixed kernel-and-gradient correction
+  std::optional<ContactSettings> contact;
 };
 
 /// Everything that a scheme is built from. The particles outlive the scheme.
@@ -41,8 +43,9 @@ struct TimeStep {
 
 struct Ledger {
   double kinetic = 0.0, internal = 0.0, plastic = 0.0, viscous = 0.0;  ///< J
+  double contact = 0.0;                                                ///< stored between bodies, J
   std::vector<double> momentum;                                        ///< kg m/s
-  double total() const { return kinetic + internal; }
+  double total() const { return kinetic + internal + contact; }
 };
 
 class Scheme {
@@ -58,7 +61,7 @@ class Scheme {
   virtual void step(double dt) = 0;
   /// The largest stable time step; zero where the state is not sane, with the particle.
   virtual TimeStep stable_step() const = 0;
-  virtual Ledger ledger() const = 0;
+  virtual Ledger ledger() = 0;
   /// Whether particles of different bodies act on each other.
   virtual bool in_contact() const = 0;
   /// What a user should know about how it started; may be empty.

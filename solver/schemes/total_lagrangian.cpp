@@ -7,12 +7,9 @@ template <Space space>
 std::unique_ptr<Scheme> make_total_lagrangian_in(const SchemeSetup& setup);
 
 std::unique_ptr<Scheme> make_total_lagrangian(const SchemeSetup& setup) {
-  if (setup.particles.bodies().size() > 1)
-    throw InputError({{},
-                      "scheme.type",
-                      "total-lagrangian",
-                      "several bodies meet by contact, which it does not have yet",
-                      "one body, or the scheme eulerian"});
+  if (setup.particles.bodies().size() > 1 && !setup.settings.contact)
+    throw InputError(
+        {{}, "contact", {}, "total-lagrangian bodies meet by contact alone, and the scene has none", "[contact]"});
   switch (setup.particles.space()) {
     case Space::line:
       return make_total_lagrangian_in<Space::line>(setup);

@@ -3,13 +3,16 @@
 #include <fmt/format.h>
 
 #include <limits>
+#include <optional>
 
+#include "boundary/kernel_contact.hpp"
 #include "boundary/mirror.hpp"
 #include "neighbours/order.hpp"
 #include "neighbours/reference_pairs.hpp"
 #include "parallel/for_each_pair.hpp"
 #include "parallel/reduce.hpp"
 #include "passes/energy_sums.hpp"
+#include "passes/hold_clamped.hpp"
 #include "passes/lagrangian_motion.hpp"
 #include "passes/lagrangian_sums.hpp"
 #include "schemes/material_passes.hpp"
@@ -28,13 +31,15 @@ class TotalLagrangianScheme final : public Scheme {
         settings_(setup.settings),
         viscosity_(std::get<MonaghanViscosity>(setup.settings.viscosity)),
         materials_(setup.particles, setup.materials),
-        mirror_(setup.symmetry) {}
+        mirror_(setup.symmetry) {
+    if (settings_.contact) contact_.emplace(particles_, setup.materials, support(), setup.symmetry, *settings_.contact);
+  }
 
   void start() override {
     auto& p = particles_;
     for (const auto field : {Field::pressure, Field::sound_speed, Field::wave_speed, Field::viscous_work,
                              Field::acceleration, Field::velocity_gradient, Field::viscous_power, Field::viscous_signal,
-                             Field::reference_position, Field::reference_volume})
+                             Field::reference_position, Field::reference_volume, Field::kernel_type})
       p.allocate(field);
     if (!p.has(Field::specific_internal_energy)) p.allocate(Field::specific_internal_energy);
     order_in_space<D>(p, support());
@@ -43,14 +48,24 @@ class TotalLagrangianScheme final : public Scheme {
       p.scalars(Field::reference_volume)[i] = p.scalars(Field::mass)[i] / p.scalars(Field::density)[i];
     materials_.start();
     prepare();
+    if (contact_) contact_->start();
     materials_.for_each_run([&](const auto& run) { evaluate_state(run); });
     evaluate_rates(0.0);
   }
 
-  void restore(const std::map<std::string, double>&) override { prepare(); }
-  void save(std::map<std::string, double>&) const override {}
+  void restore(const std::map<std::string, double>& state) override {
+    prepare();
+    if (contact_) contact_->restore(state);
+  }
+  void save(std::map<std::string, double>& state) const override {
+    if (contact_) contact_->save(state);
+  }
 
   void step(double dt) override {
+    if (contact_) {
+      const auto scope = profile_.time("search");
+      contact_->prepare(dt, false);
+    }
     evaluate_rates(dt);
     advance(dt);
   }
@@ -68,26 +83,33 @@ class TotalLagrangianScheme final : public Scheme {
                                 p.vectors<D>(Field::acceleration)};
     const auto least = reduce(p.count(), typename TimeStepLimit<D>::Least{std::numeric_limits<double>::infinity()},
                               pass, TimeStepLimit<D>::join);
-    return {least.dt, least.reason, least.particle};
+    const auto contact = contact_ ? contact_->stable_step(settings_.courant) : least;
+    const auto& choice = contact.dt < least.dt ? contact : least;
+    return {choice.dt, choice.reason, choice.particle};
   }
 
-  Ledger ledger() const override {
+  Ledger ledger() override {
     const Particles& p = particles_;
     const EnergySums<D> pass{
         p.scalars(Field::mass), p.vectors<D>(Field::velocity), p.scalars(Field::specific_internal_energy),
         p.has(Field::plastic_work) ? p.scalars(Field::plastic_work) : nullptr, p.scalars(Field::viscous_work)};
     const auto sums = reduce(p.count(), typename EnergySums<D>::Sums{}, pass, EnergySums<D>::join);
-    return {sums.kinetic, sums.internal, sums.plastic, sums.viscous, {sums.momentum.c, sums.momentum.c + D}};
+    return {sums.kinetic,
+            sums.internal,
+            sums.plastic,
+            sums.viscous,
+            contact_ ? contact_->energy() : 0.0,
+            {sums.momentum.c, sums.momentum.c + D}};
   }
 
-  bool in_contact() const override { return false; }
+  bool in_contact() const override { return contact_ && contact_->touching(); }
   std::string remark() const override {
     if (uncorrected_ == 0) return {};
     return fmt::format("{} particles have too few neighbours for the correction and go without", uncorrected_);
   }
 
   std::size_t memory() const override {
-    return pairs_.memory() + reference_.capacity() * sizeof(ReferenceRecord<D>) +
+    return pairs_.memory() + (contact_ ? contact_->memory() : 0) + reference_.capacity() * sizeof(ReferenceRecord<D>) +
            motion_.capacity() * sizeof(MotionRecord<D>) + stress_.capacity() * sizeof(StressRecord<D>) +
            2 * deformation_.capacity() * sizeof(Tensor<double, D>);
   }
@@ -174,6 +196,7 @@ class TotalLagrangianScheme final : public Scheme {
                                    p.template vectors<D>(Field::acceleration), half_step, motion_.data()});
       });
       mirror_.fill(motion_, p.count());
+      leave_failed_out();
     }
     {
       const auto scope = profile_.time("deformation");
@@ -190,7 +213,22 @@ class TotalLagrangianScheme final : public Scheme {
                               reference_.data(), motion_.data(), stress_.data(), viscosity_, p.scalars(Field::mass),
                               p.template vectors<D>(Field::acceleration), p.scalars(Field::viscous_power),
                               p.scalars(Field::viscous_signal)});
+    if (contact_)
+      contact_->add_forces([this](std::size_t i) { return motion_[i].x; }, p.template vectors<D>(Field::acceleration));
+    if (p.has(Field::clamped))
+      run_through({0, p.count()},
+                  HoldClamped<D>{p.integers(Field::clamped).data(), p.template vectors<D>(Field::acceleration)});
     mirror_.hold(p.template vectors<D>(Field::acceleration));
+  }
+
+  /// A failed particle leaves the sums: nobody has it for a neighbour any more (the TLAG run of Young et al. 2021).
+  void leave_failed_out() {
+    if (!particles_.has(Field::damage)) return;
+    const double* damage = particles_.scalars(Field::damage);
+    for_each(particles_.count(), [&](std::size_t i) {
+      if (damage[i] >= 1.0) reference_[i].volume = 0.0;
+    });
+    mirror_.fill(reference_, particles_.count());
   }
 
   using Run = typename MaterialPasses<D, false>::Run;
@@ -198,13 +236,13 @@ class TotalLagrangianScheme final : public Scheme {
   /// Stress in the middle of a step, from the deformation there.
   void evaluate_stress(const Run& run, double half_step) {
     auto& p = particles_;
-    run_through(
-        run.range,
-        Deform<D>{deformation_.data(), rate_.data(), p.scalars(Field::mass), p.scalars(Field::reference_volume),
-                  p.scalars(Field::density), p.scalars(Field::specific_internal_energy), p.scalars(Field::pressure),
-                  p.template symmetrics<D>(Field::deviatoric_stress), p.scalars(Field::viscous_power), half_step,
-                  stress_.data(), p.template tensors<D>(Field::velocity_gradient), p.scalars(Field::half_density),
-                  p.scalars(Field::half_energy)});
+    run_through(run.range,
+                Deform<D>{reference_.data(), deformation_.data(), rate_.data(), p.scalars(Field::mass),
+                          p.scalars(Field::reference_volume), p.scalars(Field::density),
+                          p.scalars(Field::specific_internal_energy), p.scalars(Field::pressure),
+                          p.template symmetrics<D>(Field::deviatoric_stress), p.scalars(Field::viscous_power),
+                          half_step, stress_.data(), p.template tensors<D>(Field::velocity_gradient),
+                          p.scalars(Field::half_density), p.scalars(Field::half_energy)});
     materials_.evaluate_eos(run, Field::half_density, Field::half_energy, Field::half_pressure,
                             Field::half_sound_speed);
     materials_.predict_strength(run, half_step);
@@ -244,6 +282,7 @@ class TotalLagrangianScheme final : public Scheme {
   MonaghanViscosity viscosity_;
   MaterialPasses<D, false> materials_;
   Mirror<D> mirror_;
+  std::optional<KernelContact<D, Kernel>> contact_;
   PairList pairs_;
   std::size_t uncorrected_ = 0;
   std::vector<ReferenceRecord<D>> reference_;

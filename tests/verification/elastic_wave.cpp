@@ -62,10 +62,10 @@ Result carry_wave(double spacing, double ratio) {
                   "strength = {{ model = 'elastic', shear_modulus = {} }}\n",
                   travel / speed, density, bulk, shear),
       travelling_wave(spacing, ratio));
-  const double kinetic = simulation.scheme().ledger().kinetic;
-  const double before = simulation.scheme().ledger().total();
+  const double kinetic = simulation.ledger().kinetic;
+  const double before = simulation.ledger().total();
   test::run_to_the_end(simulation);
-  const double after = simulation.scheme().ledger().total();
+  const double after = simulation.ledger().total();
 
   const auto& p = simulation.particles();
   double error = 0.0, norm = 0.0, momentum = 0.0, moment = 0.0, largest = 0.0;

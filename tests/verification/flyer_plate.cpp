@@ -108,5 +108,5 @@ TEST_CASE("Flyer plate: precursor and plastic shock have the exact speeds and st
   CHECK(behind.density - density == Approx(shocked.density - density).epsilon(0.005));
   CHECK(behind.stress == Approx(shocked.stress).epsilon(0.005));
   CHECK(behind.velocity == Approx(shocked.velocity).epsilon(0.005));
-  CHECK(std::abs(simulation.momentum_drift(simulation.scheme().ledger())) < 1e-12);
+  CHECK(std::abs(simulation.momentum_drift(simulation.ledger())) < 1e-12);
 }

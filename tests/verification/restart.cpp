@@ -15,6 +15,14 @@ namespace {
 constexpr std::array spaces{Space::line, Space::plane_strain, Space::plane_stress, Space::solid};
 constexpr int steps = 40;  // several neighbour lists long
 
+/// The impact by each scheme that the space supports, with and without contact.
+std::vector<std::string> scenes(Space space) {
+  const std::string contact = "contact.model = 'kernel-penalty'\n";
+  std::vector<std::string> all{test::impact_scene, contact + test::impact_scene};
+  if (space != Space::plane_stress) all.push_back(contact + "scheme.type = 'total-lagrangian'\n" + test::impact_scene);
+  return all;
+}
+
 /// Takes steps on so many threads.
 void take_steps_on(int threads, Simulation& simulation, int count) {
   const int before = omp_get_max_threads();
@@ -41,9 +49,9 @@ void check_same(Simulation& a, Simulation& b) {
 }
 
 /// Saves a run, reads it again and goes on with it.
-void check_resumed(Space space, int threads_before, int threads_after) {
-  INFO(name_of(space) << ", threads " << threads_before << " and " << threads_after);
-  auto unbroken = test::simulation_of(test::impact_scene, test::impact_particles(space));
+void check_resumed(const std::string& scene, Space space, int threads_before, int threads_after) {
+  INFO(name_of(space) << ", threads " << threads_before << " and " << threads_after << "\n" << scene);
+  auto unbroken = test::simulation_of(scene, test::impact_particles(space));
   take_steps_on(threads_before, unbroken, steps / 2 + 3);
   const test::TemporaryFolder folder;
   write_snapshot(unbroken.save({}), folder.file("middle.h5"));
@@ -60,28 +68,31 @@ void check_resumed(Space space, int threads_before, int threads_after) {
 }  // namespace
 
 TEST_CASE("Threads: one, two and three give the same bits", "[threads]") {
-  for (const auto space : spaces) {
-    INFO(name_of(space));
-    auto one = test::simulation_of(test::impact_scene, test::impact_particles(space));
-    auto two = test::simulation_of(test::impact_scene, test::impact_particles(space));
-    auto three = test::simulation_of(test::impact_scene, test::impact_particles(space));
-    take_steps_on(1, one, steps);
-    take_steps_on(2, two, steps);
-    take_steps_on(3, three, steps);
-    check_same(one, two);
-    check_same(one, three);
-    // What is compared is an impact: plastic flow, and particles that have been ordered anew.
-    CHECK(std::ranges::max(one.particles().reals(Field::plastic_strain)) > 0.01);
-    CHECK(one.scheme().in_contact());
-  }
+  for (const auto space : spaces)
+    for (const auto& scene : scenes(space)) {
+      INFO(name_of(space) << "\n" << scene);
+      auto one = test::simulation_of(scene, test::impact_particles(space));
+      auto two = test::simulation_of(scene, test::impact_particles(space));
+      auto three = test::simulation_of(scene, test::impact_particles(space));
+      take_steps_on(1, one, steps);
+      take_steps_on(2, two, steps);
+      take_steps_on(3, three, steps);
+      check_same(one, two);
+      check_same(one, three);
+      // What is compared is an impact: plastic flow, and particles that have been ordered anew.
+      CHECK(std::ranges::max(one.particles().reals(Field::plastic_strain)) > 0.01);
+      CHECK(one.scheme().in_contact());
+    }
 }
 
 TEST_CASE("Restart: a run that was saved and resumed is the unbroken one to the last bit", "[restart]") {
-  for (const auto space : spaces) check_resumed(space, 2, 2);
+  for (const auto space : spaces)
+    for (const auto& scene : scenes(space)) check_resumed(scene, space, 2, 2);
 }
 
 TEST_CASE("Restart: it may go on with another number of threads", "[restart]") {
-  for (const auto space : spaces) check_resumed(space, 1, 3);
+  for (const auto space : spaces)
+    for (const auto& scene : scenes(space)) check_resumed(scene, space, 1, 3);
 }
 
 TEST_CASE("Restart: half a model with a symmetry plane goes on as if unbroken", "[restart]") {

@@ -93,7 +93,7 @@ void check_cut(Arrangement arrangement, const std::vector<int>& axes) {
   CHECK(largest_difference(Field::deviatoric_stress, 3e8) < rounding);
   CHECK(largest_difference(Field::plastic_strain, 1.0) < rounding);
   const double share = std::pow(2.0, static_cast<double>(axes.size()));
-  CHECK(share * part_run.scheme().ledger().kinetic == Approx(whole_run.scheme().ledger().kinetic).epsilon(rounding));
+  CHECK(share * part_run.ledger().kinetic == Approx(whole_run.ledger().kinetic).epsilon(rounding));
 }
 
 }  // namespace

@@ -1,0 +1,129 @@
+#pragma once
+// Contact between the bodies of a scene, for any scheme: finds who is near a particle of another body, adds the forces,
+// keeps the energy that is stored in the contact, and says how large a time step it stands.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "boundary/contact_settings.hpp"
+#include "neighbours/neighbourhood.hpp"
+#include "parallel/for_each_pair.hpp"
+#include "parallel/reduce.hpp"
+#include "passes/contact_forces.hpp"
+#include "passes/time_step_limit.hpp"
+#include "physics/material.hpp"
+
+namespace tektite {
+
+template <int D, class Kernel>
+class KernelContact {
+ public:
+  KernelContact(Particles& particles, const std::map<std::string, Material>& materials, double support,
+                std::vector<SymmetryPlane> planes, const ContactSettings& settings)
+      : particles_(particles),
+        settings_(settings),
+        neighbourhood_(particles, support, std::move(planes),
+                       {Pairing::across_bodies, false, Field::contact_search_position}) {
+    for (const auto& body : particles.bodies()) materials_.push_back(&materials.at(body.material));
+  }
+
+  void start() {
+    particles_.allocate(Field::contact_search_position);
+    particles_.allocate(Field::contact_stiffness);
+    neighbourhood_.renew(0.0);
+    fill();
+  }
+  void restore(const std::map<std::string, double>& state) {
+    neighbourhood_.restore(state.at("contact_reach"));
+    fill();
+  }
+  void save(std::map<std::string, double>& state) const { state["contact_reach"] = neighbourhood_.reach(); }
+
+  /// Makes the search good for a step dt; `ordered` where the particles have another order than at the last call.
+  void prepare(double dt, bool ordered) {
+    if (ordered) {
+      neighbourhood_.renew(dt);
+      fill();
+    } else {
+      neighbourhood_.prepare(dt);
+      records_.resize(particles_.count() + neighbourhood_.mirror().images());
+    }
+  }
+
+  /// Adds the forces at the places that place(i) gives to the accelerations.
+  template <class Place>
+  void add_forces(const Place& place, Vector<double, D>* acceleration) {
+    evaluate(place, acceleration, particles_.scalars(Field::contact_stiffness));
+  }
+
+  /// Energy stored in the contact at the present places, J.
+  double energy() {
+    std::vector<Vector<double, D>> acceleration(particles_.count());
+    std::vector<double> stiffness(particles_.count());
+    const auto* x = particles_.template vectors<D>(Field::position);
+    evaluate([x](std::size_t i) { return x[i]; }, acceleration.data(), stiffness.data());
+    return reduce(
+        energy_.size(), 0.0, [this](double& sum, std::size_t i) { sum += energy_[i]; },
+        [](double& whole, double part) { whole += part; });
+  }
+
+  /// The stable step of two particles of the pair's reduced mass: C · 2/ω with ω² = 2k/m.
+  typename TimeStepLimit<D>::Least stable_step(double courant) const {
+    const double* mass = particles_.scalars(Field::mass);
+    const double* stiffness = particles_.scalars(Field::contact_stiffness);
+    const auto limit = [&](typename TimeStepLimit<D>::Least& least, std::size_t i) {
+      const double dt = courant * std::sqrt(2.0 * mass[i] / stiffness[i]);
+      if (dt < least.dt) least = {dt, i, StepLimit::contact};
+    };
+    return reduce(particles_.count(), typename TimeStepLimit<D>::Least{std::numeric_limits<double>::infinity()}, limit,
+                  TimeStepLimit<D>::join);
+  }
+
+  bool touching() const {
+    return std::any_of(energy_.begin(), energy_.end(), [](double energy) { return energy > 0.0; });
+  }
+
+  std::size_t memory() const {
+    return neighbourhood_.memory() + records_.capacity() * sizeof(ContactRecord<D>) +
+           energy_.capacity() * sizeof(double);
+  }
+
+ private:
+  /// What does not change from step to step.
+  void fill() {
+    records_.resize(particles_.count() + neighbourhood_.mirror().images());
+    energy_.resize(particles_.count());
+    const double* mass = particles_.scalars(Field::mass);
+    const double* h = particles_.scalars(Field::smoothing_length);
+    for (std::size_t k = 0; k < materials_.size(); ++k) {
+      const auto& body = particles_.bodies()[k];
+      const double density = materials_[k]->density;
+      const double bulk_modulus = std::visit(
+          [&](const auto& eos) { return density * eos.pressure_by_density(density, 0.0); }, materials_[k]->eos);
+      for (std::size_t i = body.range.begin; i < body.range.end; ++i)
+        records_[i] = {Vector<double, D>::zero(), mass[i] / density, bulk_modulus, h[i], body.spacing};
+    }
+  }
+
+  template <class Place>
+  void evaluate(const Place& place, Vector<double, D>* acceleration, double* stiffness) {
+    for_each(particles_.count(), [&](std::size_t i) { records_[i].x = place(i); });
+    neighbourhood_.mirror().fill(records_, particles_.count());
+    for_each_pair(neighbourhood_.pairs(),
+                  ContactForces<Kernel, D>{records_.data(), settings_.factor, settings_.exponent,
+                                           particles_.scalars(Field::mass), acceleration, stiffness, energy_.data()});
+  }
+
+  Particles& particles_;
+  ContactSettings settings_;
+  Neighbourhood<D> neighbourhood_;
+  std::vector<const Material*> materials_;  ///< of each body
+  std::vector<ContactRecord<D>> records_;
+  std::vector<double> energy_;
+};
+
+}  // namespace tektite

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "core/pack.hpp"
+#include "passes/reference_pair.hpp"
+
+namespace tektite {
+
+/// What contact needs of a particle.
+template <int D>
+struct ContactRecord {
+  Vector<double, D> x;      ///< m, in the middle of a step
+  double volume;            ///< of the reference configuration, so that the potential depends on places alone
+  double bulk_modulus;      ///< Pa
+  double smoothing_length;  ///< m
+  double spacing;           ///< Δp, m
+
+  void mirror(int axis, double at) { x[axis] = 2.0 * at - x[axis]; }
+};
+
+/// The potential φ = V_a V_b K_ca (W_ab/W(Δp))^n of a pair of different bodies and its force on a,
+///   -V_a V_b K_ca n W^(n-1)/W(Δp)^n ∇_a W
+/// (Young et al. 2021, eq. 15), with the curvature of φ along the pair, which limits the time step.
+template <class Kernel, int D>
+struct ContactForces {
+  const ContactRecord<D>* records;
+  double factor;
+  double exponent;
+  const double* mass;
+  Vector<double, D>* acceleration;  ///< is added to
+  double* stiffness;                ///< N/m
+  double* energy;                   ///< this particle's half, J
+
+  struct Self {
+    Vector<Pack, D> x;
+    Pack volume, bulk_modulus, h, spacing;
+  };
+  struct Sums {
+    Vector<Pack, D> force = Vector<Pack, D>::zero();
+    Pack stiffness = 0.0;
+    Pack energy = 0.0;
+  };
+
+  Self begin(std::size_t i) const {
+    const auto& r = records[i];
+    Self a;
+    for (int k = 0; k < D; ++k) a.x[k] = r.x[k];
+    a.volume = r.volume;
+    a.bulk_modulus = r.bulk_modulus;
+    a.h = r.smoothing_length;
+    a.spacing = r.spacing;
+    return a;
+  }
+
+  void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
+    const auto gather = [&](auto member) {
+      return Pack([&](auto lane) { return member(records[j[static_cast<std::size_t>(lane)]]); });
+    };
+    Vector<Pack, D> x;
+    for (int k = 0; k < D; ++k) x[k] = a.x[k] - gather([k](const auto& r) { return r.x[k]; });
+    const Pack h = Pack(0.5) * (a.h + gather([](const auto& r) { return r.smoothing_length; }));
+    const Pack spacing = Pack(0.5) * (a.spacing + gather([](const auto& r) { return r.spacing; }));
+    const ReferencePair<Kernel, D> pair(x, h);
+    auto apart = Vector<Pack, D>::zero();
+    apart[0] = spacing;
+    const ReferencePair<Kernel, D> at_spacing(apart, h);
+    using std::experimental::pow;
+    const Pack ratio = pair.value / at_spacing.value;  // zero beyond the support
+    Pack modulus = smaller(a.bulk_modulus, gather([](const auto& r) { return r.bulk_modulus; }));
+    for (int k = 0; k < D; ++k) modulus /= spacing;
+    const Pack strength =
+        is_other(x) * a.volume * gather([](const auto& r) { return r.volume; }) * Pack(factor) * modulus;
+    const Pack power = select(ratio > Pack(0.0), pow(larger(ratio, Pack(1e-300)), Pack(exponent - 2.0)), Pack(0.0));
+    const Pack push = strength * Pack(exponent) * power * ratio / at_spacing.value;
+    for (int k = 0; k < D; ++k) sums.force[k] -= push * pair.slope[k];
+    sums.energy += strength * power * ratio * ratio;
+    sums.stiffness += strength * Pack(exponent * (exponent - 1.0)) * power * dot(pair.slope, pair.slope) /
+                      (at_spacing.value * at_spacing.value);
+  }
+
+  void end(std::size_t i, const Sums& sums) const {
+    for (int k = 0; k < D; ++k) acceleration[i][k] += sum(sums.force[k]) / mass[i];
+    stiffness[i] = sum(sums.stiffness);
+    energy[i] = 0.5 * sum(sums.energy);
+  }
+};
+
+}  // namespace tektite

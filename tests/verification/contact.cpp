@@ -1,0 +1,75 @@
+// Contact: bodies push each other, keep momentum and energy, and let go again.
+#include <catch2/catch.hpp>
+
+#include "support/lattice.hpp"
+
+using namespace tektite;
+
+namespace {
+
+constexpr double spacing = 1e-3;  // m
+constexpr double speed = 100.0;   // m/s
+
+/// An elastic block flies against one at rest; in the end they have parted.
+std::string scene_of(const std::string& scheme) {
+  return "scheme.type = '" + scheme + "'\n" +
+         "contact.model = 'kernel-penalty'\n"
+         "viscosity.alpha = 0.0\nviscosity.beta = 0.0\n"
+         "time.end = '60 us'\n"
+         "[material.metal]\ndensity = 2785.0\n"
+         "eos = { model = 'linear', bulk_modulus = '79 GPa' }\n"
+         "strength = { model = 'elastic', shear_modulus = '27.6 GPa' }\n";
+}
+
+Simulation collision(const std::string& scheme, double velocity, const std::string& more = {}) {
+  const test::Lattice flying{"flying", "metal", spacing, {-20 * spacing, 0.0}, {16, 8}, {velocity, 0.0}};
+  const test::Lattice resting{"resting", "metal", spacing, {0.0, 0.0}, {16, 8}, {0.0, 0.0}};
+  return test::simulation_of(more + scene_of(scheme),
+                             test::particles_on(Space::plane_strain, {flying, resting}, 2785.0));
+}
+
+double mean_velocity(const Particles& particles, std::size_t body) {
+  const auto& range = particles.bodies()[body].range;
+  double sum = 0.0;
+  for (std::size_t i = range.begin; i < range.end; ++i) sum += particles.reals(Field::velocity)[2 * i];
+  return sum / static_cast<double>(range.size());
+}
+
+}  // namespace
+
+TEST_CASE("Contact: two elastic blocks meet, store energy between them, and part", "[contact]") {
+  for (const std::string scheme : {"eulerian", "total-lagrangian"}) {
+    INFO(scheme);
+    auto run = collision(scheme, speed);
+    const auto before = run.ledger();
+    double stored = 0.0, worst = 0.0;
+    while (!run.finished()) {
+      run.step();
+      const auto now = run.ledger();
+      stored = std::max(stored, now.contact);
+      worst = std::max(worst, std::abs(run.energy_drift(now)));
+    }
+    const auto after = run.ledger();
+    CHECK(run.contact_time());
+    CHECK(stored > 1e-3 * before.kinetic);
+    CHECK(after.contact == 0.0);  // they have let go of each other
+    CHECK(mean_velocity(run.particles(), 1) > 0.5 * speed);
+    CHECK(mean_velocity(run.particles(), 0) < 0.5 * speed);
+    // The contact's energy is that of a potential and the leapfrog keeps it to second order in the step.
+    CHECK(worst < 2e-3);
+    CHECK(run.momentum_drift(after) < 1e-12);
+  }
+}
+
+TEST_CASE("Contact: where it is stiffer than the bodies it limits the time step", "[contact]") {
+  auto stiff = collision("total-lagrangian", 20.0 * speed, "contact.factor = 1000.0\n");
+  auto soft = collision("total-lagrangian", 20.0 * speed);
+  bool limited = false;
+  while (!stiff.finished() && !limited) {
+    stiff.step();
+    limited = stiff.last_step().reason == StepLimit::contact;
+  }
+  CHECK(limited);
+  while (soft.time() < stiff.time()) soft.step();
+  CHECK(soft.last_step().reason != StepLimit::contact);
+}
