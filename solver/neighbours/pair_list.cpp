@@ -41,6 +41,7 @@ void build_block(PairList::Block& block, std::size_t end, const CellGrid<D>& gri
                  std::span<const Vector<double, D>> positions, double reach, std::span<const std::uint32_t> body) {
   Candidates<D> near;
   std::vector<double> distance;
+  std::vector<std::uint32_t> found_here;
   std::size_t last_cell = grid.cells();
   const double reach_squared = reach * reach;
   block.first.assign(1, 0);
@@ -61,9 +62,8 @@ void build_block(PairList::Block& block, std::size_t end, const CellGrid<D>& gri
       }
       distance[n] = square;
     }
-    const std::size_t start = block.neighbours.size();
-    block.neighbours.resize(start + count + pack_width);
-    auto* out = block.neighbours.data() + start;
+    found_here.resize(count + pack_width);
+    auto* out = found_here.data();
     std::size_t found = 0;
     for (std::size_t n = 0; n < count; ++n) {  // without a branch, which would be guessed wrong every third time
       out[found] = near.index[n];
@@ -71,8 +71,8 @@ void build_block(PairList::Block& block, std::size_t end, const CellGrid<D>& gri
                static_cast<std::size_t>(paired<pairing>(body[i], body[near.index[n]]));
     }
     while (found % pack_width != 0) out[found++] = static_cast<std::uint32_t>(i);
-    block.neighbours.resize(start + found);
-    block.first.push_back(static_cast<std::uint32_t>(start + found));
+    block.neighbours.insert(block.neighbours.end(), out, out + found);
+    block.first.push_back(static_cast<std::uint32_t>(block.neighbours.size()));
   }
 }
 

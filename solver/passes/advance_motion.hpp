@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cmath>
-
 #include "core/tensor.hpp"
 #include "passes/across.hpp"
 #include "passes/eulerian_record.hpp"
@@ -9,7 +7,7 @@
 namespace tektite {
 
 /// Brings velocity, place, density, energy and viscous work to the end of the step with the rates of its middle:
-///   v += a dt,  x = x½ + v dt/2,  ρ *= exp(-(tr L + D_zz) dt),  e += (σ½:L/ρ½ + q) dt
+///   v += a dt,  x = x½ + v dt/2,  ρ *= e^(-(tr L + D_zz) dt),  e += (σ½:L/ρ½ + q) dt
 template <int D, bool plane_stress>
 struct AdvanceMotion {
   const EulerianRecord<D>* records;
@@ -31,7 +29,7 @@ struct AdvanceMotion {
     double power = 0.0;
     for (int r = 0; r < D; ++r)
       for (int c = 0; c < D; ++c) power += records[i].stress[EulerianRecord<D>::index(r, c)] * l(r, c);
-    density[i] *= std::exp(-step * (trace(l) + across<plane_stress>(across_rate, i)));
+    density[i] *= density_factor(step * (trace(l) + across<plane_stress>(across_rate, i)));
     energy[i] += step * (power / records[i].density + viscous_power[i]);
     viscous_work[i] += step * viscous_power[i];
   }
