@@ -53,16 +53,24 @@ struct EulerianRates {
   }
 
   void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
-    const Record* b[pack_width];
-    for (std::size_t k = 0; k < pack_width; ++k) b[k] = records + j[k];
-    const auto gather = [&](auto member) { return Pack([&](auto lane) { return member(*b[lane]); }); };
+    constexpr std::size_t rows = sizeof(Record) / (pack_width * sizeof(double));
+    const double* place[pack_width];
+    for (std::size_t k = 0; k < pack_width; ++k) place[k] = &records[j[k]].x[0];
+    Pack b[rows * pack_width];  // the members of the four records, in their order
+    gather<rows>(place, b);
+    const Pack* const other_v = b + D;
+    const Pack* const other_stress = other_v + D;
+    const Pack volume = other_stress[Record::stresses];
+    const Pack density = other_stress[Record::stresses + 1];
+    const Pack sound_speed = other_stress[Record::stresses + 2];
+    const Pack other_h = other_stress[Record::stresses + 3];
 
     Vector<Pack, D> x, v;  // x_ab, v_ab
     for (int k = 0; k < D; ++k) {
-      x[k] = a.x[k] - gather([k](const Record& r) { return r.x[k]; });
-      v[k] = a.v[k] - gather([k](const Record& r) { return r.v[k]; });
+      x[k] = a.x[k] - b[k];
+      v[k] = a.v[k] - other_v[k];
     }
-    const Pack h = smoothing.of_pair(a.h, gather([](const Record& r) { return r.smoothing_length; }));
+    const Pack h = smoothing.of_pair(a.h, other_h);
     const Pack one_over_h = smoothing.inverse_of(h);
     const Pack r_squared = dot(x, x);
     using std::experimental::sqrt;
@@ -72,16 +80,14 @@ struct EulerianRates {
     const Pack slope = select(q < Pack(Kernel::support),
                               Pack(Kernel::template normalisation<D>()) * scale * Kernel::slope_over_q(q), Pack(0.0));
 
-    const Pack density = gather([](const Record& r) { return r.density; });
-    const Pack weight = gather([](const Record& r) { return r.volume; }) * slope;  // V_b ∇W = weight x_ab
+    const Pack weight = volume * slope;  // V_b ∇W = weight x_ab
     const Pack approach = dot(v, x);
-    const Pack c = Pack(0.5) * (a.sound_speed + gather([](const Record& r) { return r.sound_speed; }));
+    const Pack c = Pack(0.5) * (a.sound_speed + sound_speed);
     const auto [pi, speed] = viscosity(approach, r_squared, h, c, Pack(0.5) * (a.density + density));
     const Pack damping = weight * density * select(q < Pack(Kernel::support), pi, Pack(0.0));
 
     Pack stress[Record::stresses];
-    for (int k = 0; k < Record::stresses; ++k)
-      stress[k] = weight * (a.stress[k] + gather([k](const Record& r) { return r.stress[k]; }));
+    for (int k = 0; k < Record::stresses; ++k) stress[k] = weight * (a.stress[k] + other_stress[k]);
     for (int i = 0; i < D; ++i) {
       for (int k = 0; k < D; ++k) sums.force[i] += stress[Record::index(i, k)] * x[k];
       sums.viscous[i] += damping * x[i];

@@ -1,13 +1,15 @@
 #pragma once
 
+#include "core/pack.hpp"
 #include "core/tensor.hpp"
 
 namespace tektite {
 
 /// What an Eulerian pair needs to know of a particle, in one piece of memory, at the middle of a step. In plane stress
-/// the numbers are those of the membrane: per area, so that density, stress and volume carry the thickness.
+/// the numbers are those of the membrane: per area, so that density, stress and volume carry the thickness. A record is
+/// a whole number of packs long, so that it can be read row by row.
 template <int D>
-struct EulerianRecord {
+struct alignas(pack_width * sizeof(double)) EulerianRecord {
   static constexpr int stresses = D * (D + 1) / 2;
 
   Vector<double, D> x;      ///< m

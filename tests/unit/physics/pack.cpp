@@ -34,3 +34,17 @@ TEST_CASE("Packs: the largest lane is found wherever it is", "[pack]") {
   for (int place = 0; place < static_cast<int>(pack_width); ++place)
     CHECK(largest(Pack([&](int lane) { return lane == place ? 7.0 : -7.0; })) == 7.0);
 }
+
+TEST_CASE("Pack: rows gathered from four places are turned, number by number", "[pack]") {
+  double memory[4][8];
+  const double* place[pack_width];
+  for (int lane = 0; lane < 4; ++lane) {
+    for (int k = 0; k < 8; ++k) memory[lane][k] = 10.0 * lane + k;
+    place[lane] = memory[3 - lane];
+  }
+  Pack turned[8];
+  gather<2>(place, turned);
+  for (int k = 0; k < 8; ++k)
+    for (std::size_t lane = 0; lane < pack_width; ++lane)
+      CHECK(turned[k][lane] == 10.0 * (3.0 - static_cast<double>(lane)) + k);
+}
