@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "core/hdf5.hpp"
+#include "core/seal.hpp"
 #include "core/version.hpp"
 #include "core/write_beside.hpp"
 
@@ -95,11 +96,13 @@ void write_snapshot(const Snapshot& snapshot, const std::string& path) {
       file.attribute(object, "symbol", std::string(row.symbol));
     }
     file.close();
+    seal(beside);
   });
 }
 
 Snapshot read_snapshot(const std::string& path) {
   if (!std::filesystem::exists(path)) throw InputError({{path, 0}, {}, {}, "there is no such file", {}});
+  check_seal(path);
   const hdf5::Reader file(path);
   if (file.text_attribute("/", "format") != format_name) throw broken(file, "/@format", "this is no particle file");
   const auto format = file.integer_attribute("/", "format_version");

@@ -1,0 +1,62 @@
+#include "core/seal.hpp"
+
+#include <algorithm>
+#include <array>
+#include <boost/crc.hpp>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <vector>
+
+#include "core/error.hpp"
+
+namespace tektite {
+namespace {
+
+struct Seal {
+  std::array<char, 12> mark{'t', 'e', 'k', 't', 'i', 't', 'e', ' ', 's', 'e', 'a', 'l'};
+  std::uint32_t checksum = 0;
+};
+static_assert(sizeof(Seal) == 16);
+
+/// Checksum of the first `length` bytes.
+std::uint32_t checksum_of(std::ifstream& file, std::uint64_t length) {
+  boost::crc_32_type checksum;
+  std::vector<char> part(1 << 20);
+  while (length > 0 && file) {
+    file.read(part.data(), static_cast<std::streamsize>(std::min<std::uint64_t>(length, part.size())));
+    checksum.process_bytes(part.data(), static_cast<std::size_t>(file.gcount()));
+    length -= static_cast<std::uint64_t>(file.gcount());
+  }
+  return checksum.checksum();
+}
+
+}  // namespace
+
+void seal(const std::string& path) {
+  Seal seal;
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  const auto length = static_cast<std::uint64_t>(file.tellg());
+  file.seekg(0);
+  seal.checksum = checksum_of(file, length);
+  std::ofstream end(path, std::ios::binary | std::ios::app);
+  end.write(reinterpret_cast<const char*>(&seal), sizeof seal);
+  end.close();
+  if (!file || !end) throw RunError(path + ": cannot be written to its end (is the disk full?)");
+}
+
+void check_seal(const std::string& path) {
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  const auto length = static_cast<std::int64_t>(file.tellg()) - static_cast<std::int64_t>(sizeof(Seal));
+  if (!file || length <= 0) return;
+  Seal found;
+  file.seekg(length);
+  file.read(reinterpret_cast<char*>(&found), sizeof found);
+  if (!file || found.mark != Seal{}.mark) return;
+  file.seekg(0);
+  if (checksum_of(file, static_cast<std::uint64_t>(length)) != found.checksum)
+    throw InputError(
+        {{path, 0}, {}, {}, "the file is damaged: its checksum is wrong", "a particle file of tektite, whole"});
+}
+
+}  // namespace tektite
