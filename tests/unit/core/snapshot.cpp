@@ -123,31 +123,19 @@ TEST_CASE("Snapshot: a truncated file is refused, wherever it ends") {
   }
 }
 
-TEST_CASE("Snapshot: a flipped bit is refused or changes nothing") {
-  const auto original = sample();
-  const Written file(original);
+TEST_CASE("Snapshot: a flipped bit is refused, wherever it is") {
+  const Written file;
   const auto whole = bytes_of(file.path);
   const auto flipped = file.folder.file("flipped.h5");
-  std::size_t refused = 0, harmless = 0;
   constexpr std::size_t stride = 53;  // prime, so that every kind of byte in the file's structures is hit
-  for (std::size_t at = 0; at < whole.size(); at += stride) {
+  constexpr std::size_t seal = 16;    // without its mark the file is a plain HDF5 file, and whole
+  for (std::size_t at = 0; at < whole.size() - seal; at += stride) {
     auto bytes = whole;
     bytes[at] = static_cast<char>(bytes[at] ^ (1 << (at % 8)));
     write_bytes(flipped, bytes);
     INFO("byte " << at << " of " << whole.size());
-    try {
-      const auto read = read_snapshot(flipped);
-      CHECK(fields_that_differ(read.particles, original.particles).empty());
-      CHECK(same_bodies(read.particles.bodies(), original.particles.bodies()));
-      CHECK(read.state == original.state);
-      CHECK(read.scene == original.scene);
-      ++harmless;
-    } catch (const InputError&) {
-      ++refused;
-    }
+    CHECK_THROWS_WITH(read_snapshot(flipped), Contains("its checksum is wrong"));
   }
-  CHECK(refused > 0);
-  CHECK(harmless > 0);  // unused space in the file
 }
 
 TEST_CASE("Snapshot: a number that is not finite or cannot be is refused, with its field") {
