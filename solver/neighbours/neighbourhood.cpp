@@ -10,8 +10,8 @@
 namespace tektite {
 namespace {
 
-/// Skin as a part of the support: a thicker one makes lists live longer and hold more that is not near. 0.12 and 0.3 were
-/// no faster on the hvi_2d example, within the scatter; the answer does not depend on it beyond round-off.
+/// Skin as a part of the support: a thicker one makes lists live longer and hold more that is not near. 0.12 and 0.3
+/// were no faster on the hvi_2d example, within the scatter; the answer does not depend on it beyond round-off.
 constexpr double skin_fraction = 0.2;
 
 /// Side of a region in supports: particles of regions that do not touch were at least this far apart.
