@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <limits>
 #include <optional>
 
 #include "boundary/kernel_contact.hpp"
@@ -10,13 +9,12 @@
 #include "neighbours/order.hpp"
 #include "neighbours/reference_pairs.hpp"
 #include "parallel/for_each_pair.hpp"
-#include "parallel/reduce.hpp"
-#include "passes/energy_sums.hpp"
 #include "passes/hold_clamped.hpp"
 #include "passes/lagrangian_motion.hpp"
 #include "passes/lagrangian_sums.hpp"
 #include "schemes/material_passes.hpp"
 #include "schemes/scheme.hpp"
+#include "schemes/state_sums.hpp"
 
 namespace tektite {
 
@@ -71,36 +69,13 @@ class TotalLagrangianScheme final : public Scheme {
   }
 
   TimeStep stable_step() const override {
-    const Particles& p = particles_;
-    const TimeStepLimit<D> pass{settings_.courant,
-                                viscosity_.alpha,
-                                viscosity_.beta,
-                                p.scalars(Field::smoothing_length),
-                                p.scalars(Field::wave_speed),
-                                p.scalars(Field::sound_speed),
-                                p.scalars(Field::viscous_signal),
-                                p.scalars(Field::density),
-                                p.vectors<D>(Field::acceleration)};
-    const auto least = reduce(p.count(), typename TimeStepLimit<D>::Least{std::numeric_limits<double>::infinity()},
-                              pass, TimeStepLimit<D>::join);
+    const auto least = least_stable_step<D>(particles_, settings_.courant, viscosity_);
     const auto contact = contact_ ? contact_->stable_step(settings_.courant) : least;
     const auto& choice = contact.dt < least.dt ? contact : least;
     return {choice.dt, choice.reason, choice.particle};
   }
 
-  Ledger ledger() override {
-    const Particles& p = particles_;
-    const EnergySums<D> pass{
-        p.scalars(Field::mass), p.vectors<D>(Field::velocity), p.scalars(Field::specific_internal_energy),
-        p.has(Field::plastic_work) ? p.scalars(Field::plastic_work) : nullptr, p.scalars(Field::viscous_work)};
-    const auto sums = reduce(p.count(), typename EnergySums<D>::Sums{}, pass, EnergySums<D>::join);
-    return {sums.kinetic,
-            sums.internal,
-            sums.plastic,
-            sums.viscous,
-            contact_ ? contact_->energy() : 0.0,
-            {sums.momentum.c, sums.momentum.c + D}};
-  }
+  Ledger ledger() override { return ledger_of<D>(particles_, contact_ ? contact_->energy() : 0.0); }
 
   bool in_contact() const override { return contact_ && contact_->touching(); }
   std::string remark() const override {
