@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "core/particles.hpp"
 #include "core/tensor.hpp"
 
 namespace tektite {
@@ -25,6 +26,10 @@ class CellGrid {
   std::span<const std::uint32_t> members(std::size_t cell) const {
     return {members_.data() + first_[cell], members_.data() + first_[cell + 1]};
   }
+  /// All indices, cell by cell.
+  std::span<const std::uint32_t> members() const { return members_; }
+  /// Where a cell's members stand among all.
+  Range range_of(std::size_t cell) const { return {first_[cell], first_[cell + 1]}; }
   static constexpr std::size_t around_count = D == 1 ? 3 : D == 2 ? 9 : 27;
   /// A cell and those that touch it, in a fixed order.
   std::array<std::size_t, around_count> around(std::size_t cell) const;

@@ -17,6 +17,9 @@ constexpr double skin_fraction = 0.2;
 /// Side of a region in supports: particles of regions that do not touch were at least this far apart.
 constexpr double region_side = 4.0;
 
+/// Neighbours part slowly: particles that were ordered a few searches ago are still read nearly in the order of memory.
+constexpr int searches_per_order = 8;
+
 /// The skin has to outlast at least this many half steps at the present speeds.
 constexpr double least_half_steps = 4.0;
 
@@ -71,23 +74,26 @@ bool Neighbourhood<D>::prepare(double dt) {
     const auto nearer = approach(dt);
     if (nearer.near <= reach_ - support_ && nearer.far <= (region_side - 1.0) * support_) return false;
   }
-  renew(dt);
-  return search_.orders;
+  return renew(dt);
 }
 
 template <int D>
-void Neighbourhood<D>::renew(double dt) {
-  if (search_.orders) order_in_space<D>(particles_, support_);
+bool Neighbourhood<D>::renew(double dt) {
+  const bool orders = search_.orders && searches_since_order_ % searches_per_order == 0;
+  if (orders) order_in_space<D>(particles_, support_);
+  searches_since_order_ = orders ? 1 : searches_since_order_ + 1;
   const auto positions = particles_.reals(Field::position);
   std::copy(positions.begin(), positions.end(), particles_.reals(search_.positions).begin());
   find_regions();
   reach_ = support_ + std::max(skin_fraction * support_, least_half_steps * approach(dt).near);
   list();
+  return orders;
 }
 
 template <int D>
-void Neighbourhood<D>::restore(double reach) {
+void Neighbourhood<D>::restore(double reach, int searches_since_order) {
   reach_ = reach;
+  searches_since_order_ = searches_since_order;
   find_regions();
   list();
 }

@@ -1,8 +1,8 @@
 #pragma once
 // Keeps the particles ordered in space and the list of pairs valid: it is made anew when two particles that were not
 // near may have come near. That is judged region by region, so that fast fragments do not count where they are not.
-// Order, list and images follow from the search positions and the reach alone, both of which are saved, so a restart
-// goes on with the same list.
+// List and images follow from the order of the particles, the search positions and the reach alone, all of which are
+// saved, so a restart goes on with the same list.
 
 #include <vector>
 
@@ -17,7 +17,7 @@ namespace tektite {
 /// What a neighbourhood is for.
 struct Search {
   Pairing pairing = Pairing::all;
-  bool orders = true;                        ///< orders the particles in space at each search
+  bool orders = true;                        ///< keeps the particles ordered in space
   Field positions = Field::search_position;  ///< where it keeps the places of the last search
 };
 
@@ -29,14 +29,15 @@ class Neighbourhood {
 
   /// Makes the list good for the positions in the middle of a step dt. True where the particles were ordered anew.
   bool prepare(double dt);
-  /// Makes the list anew, whatever has moved.
-  void renew(double dt);
-  /// Makes the list as it was when the particles were saved with this reach.
-  void restore(double reach);
+  /// Makes the list anew, whatever has moved. True where the particles were ordered anew.
+  bool renew(double dt);
+  /// Makes the list as it was when the particles were saved with this reach, so many searches after they were ordered.
+  void restore(double reach, int searches_since_order = 0);
 
   const PairList& pairs() const { return pairs_; }
   const Mirror<D>& mirror() const { return mirror_; }
   double reach() const { return reach_; }
+  int searches_since_order() const { return searches_since_order_; }
   double support() const { return support_; }
   std::size_t memory() const;
 
@@ -55,6 +56,7 @@ class Neighbourhood {
   double support_;
   Search search_;
   double reach_ = 0.0;
+  int searches_since_order_ = 0;
   Mirror<D> mirror_;
   CellGrid<D> regions_;
   std::vector<typename DisplacementBox<D>::Box> boxes_;

@@ -1,79 +1,108 @@
 #include "neighbours/pair_list.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/pack.hpp"
+#include "neighbours/compress.hpp"
+#include "parallel/for_each.hpp"
 
 namespace tektite {
 namespace {
 
 constexpr std::size_t block_size = 256;
 
-/// What lies in the cells about one cell, gathered once for all particles of that cell.
+/// What the search reads of the positions, in the order of the cells.
 template <int D>
-struct Candidates {
-  std::vector<std::uint32_t> index;
+struct Places {
+  std::span<const std::uint32_t> index;
+  std::vector<std::uint32_t> body;
   std::vector<double> x[D];
 
-  void gather(const CellGrid<D>& grid, std::span<const Vector<double, D>> positions, std::size_t centre) {
-    const auto cells = grid.around(centre);
-    std::size_t count = 0;
-    for (const auto cell : cells) count += grid.members(cell).size();
-    index.resize(count);
-    for (auto& coordinate : x) coordinate.resize(count);
-    std::size_t n = 0;
-    for (const auto cell : cells)
-      for (const auto j : grid.members(cell)) {
-        index[n] = j;
-        for (int k = 0; k < D; ++k) x[k][n] = positions[j][k];
-        ++n;
-      }
+  Places(const CellGrid<D>& grid, std::span<const Vector<double, D>> positions, std::span<const std::uint32_t> body_of)
+      : index(grid.members()), body(index.size()) {
+    for (auto& coordinate : x) coordinate.resize(index.size());
+    for_each(index.size(), [&](std::size_t n) {
+      body[n] = body_of[index[n]];
+      for (int k = 0; k < D; ++k) x[k][n] = positions[index[n]][k];
+    });
   }
 };
 
-template <Pairing pairing>
-bool paired(std::uint32_t a, std::uint32_t b) {
-  return pairing == Pairing::all || (pairing == Pairing::within_bodies ? a == b : a != b);
-}
+/// What lies in the cells about one cell, gathered once for all particles of that cell, and filled up to a whole number
+/// of eights with what is near to nothing.
+template <int D>
+struct Candidates {
+  std::vector<std::uint32_t> index;
+  std::vector<std::uint32_t> body;
+  std::vector<double> x[D];
+  std::vector<std::uint8_t> mark;
 
-template <int D, Pairing pairing>
-void build_block(PairList::Block& block, std::size_t end, const CellGrid<D>& grid,
-                 std::span<const Vector<double, D>> positions, double reach, std::span<const std::uint32_t> body) {
-  Candidates<D> near;
-  std::vector<double> distance;
-  std::vector<std::uint32_t> found_here;
-  std::size_t last_cell = grid.cells();
-  const double reach_squared = reach * reach;
-  block.first.assign(1, 0);
-  block.neighbours.clear();
-  for (std::size_t i = block.begin; i < end; ++i) {
-    const auto place = positions[i];
-    if (const auto cell = grid.cell_of(place); cell != last_cell) {
-      near.gather(grid, positions, cell);
-      distance.resize(near.index.size());
-      last_cell = cell;
+  void gather(const CellGrid<D>& grid, const Places<D>& places, std::size_t centre) {
+    const auto cells = grid.around(centre);
+    std::size_t count = 0;
+    for (const auto cell : cells) count += grid.range_of(cell).size();
+    const std::size_t filled = (count + compress_width - 1) / compress_width * compress_width;
+    index.resize(filled);
+    body.resize(filled);
+    mark.resize(filled);
+    for (auto& coordinate : x) coordinate.resize(filled);
+    std::size_t n = 0;
+    for (const auto cell : cells) {
+      const auto range = grid.range_of(cell);
+      const auto copy = [&](const auto& from, auto& to) {
+        std::copy(from.begin() + range.begin, from.begin() + range.end, to.begin() + n);
+      };
+      copy(places.index, index);
+      copy(places.body, body);
+      for (int k = 0; k < D; ++k) copy(places.x[k], x[k]);
+      n += range.size();
     }
-    const std::size_t count = near.index.size();
+    for (; n < filled; ++n)
+      for (auto& coordinate : x) coordinate[n] = std::numeric_limits<double>::infinity();
+  }
+
+  /// Marks those nearer than `reach`, but not `self`, that are paired with a particle of the body `own`.
+  template <Pairing pairing>
+  void mark_near(const Vector<double, D>& place, double reach, std::uint32_t self, std::uint32_t own) {
+    const std::size_t count = index.size();
+    const double reach_squared = reach * reach;
     for (std::size_t n = 0; n < count; ++n) {
       double square = 0.0;
       for (int k = 0; k < D; ++k) {
-        const double d = near.x[k][n] - place[k];
+        const double d = x[k][n] - place[k];
         square += d * d;
       }
-      distance[n] = square;
+      mark[n] = square < reach_squared ? 1 : 0;
     }
-    found_here.resize(count + pack_width);
-    auto* out = found_here.data();
-    std::size_t found = 0;
-    for (std::size_t n = 0; n < count; ++n) {  // without a branch, which would be guessed wrong every third time
-      out[found] = near.index[n];
-      found += static_cast<std::size_t>(distance[n] < reach_squared) & static_cast<std::size_t>(near.index[n] != i) &
-               static_cast<std::size_t>(paired<pairing>(body[i], body[near.index[n]]));
-    }
-    while (found % pack_width != 0) out[found++] = static_cast<std::uint32_t>(i);
-    block.neighbours.insert(block.neighbours.end(), out, out + found);
-    block.first.push_back(static_cast<std::uint32_t>(block.neighbours.size()));
+    for (std::size_t n = 0; n < count; ++n) mark[n] &= index[n] != self ? 1 : 0;
+    if constexpr (pairing != Pairing::all)
+      for (std::size_t n = 0; n < count; ++n)
+        mark[n] &= (body[n] == own) == (pairing == Pairing::within_bodies) ? 1 : 0;
   }
+};
+
+template <int D, Pairing pairing>
+void build_block(PairList::Block& block, std::size_t end, const CellGrid<D>& grid,
+                 std::span<const Vector<double, D>> positions, const Places<D>& places, double reach,
+                 std::span<const std::uint32_t> body) {
+  Candidates<D> near;
+  std::size_t last_cell = grid.cells();
+  std::size_t found = 0;
+  block.first.assign(1, 0);
+  for (std::size_t i = block.begin; i < end; ++i) {
+    if (const auto cell = grid.cell_of(positions[i]); cell != last_cell) {
+      near.gather(grid, places, cell);
+      last_cell = cell;
+    }
+    near.template mark_near<pairing>(positions[i], reach, static_cast<std::uint32_t>(i), body[i]);
+    const std::size_t room = found + near.index.size() + pack_width;
+    if (block.neighbours.size() < room) block.neighbours.resize(2 * room);
+    found += compress(near.index, near.mark, std::span(block.neighbours).subspan(found));
+    while (found % pack_width != 0) block.neighbours[found++] = static_cast<std::uint32_t>(i);
+    block.first.push_back(static_cast<std::uint32_t>(found));
+  }
+  block.neighbours.resize(found);
 }
 
 }  // namespace
@@ -81,6 +110,7 @@ void build_block(PairList::Block& block, std::size_t end, const CellGrid<D>& gri
 template <int D>
 void PairList::build(const CellGrid<D>& grid, std::span<const Vector<double, D>> positions, std::size_t count,
                      double reach, Pairing pairing, std::span<const std::uint32_t> body) {
+  const Places<D> places(grid, positions, body);
   blocks_.resize((count + block_size - 1) / block_size);
 #pragma omp parallel for schedule(dynamic, 1)
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
@@ -89,13 +119,13 @@ void PairList::build(const CellGrid<D>& grid, std::span<const Vector<double, D>>
     const auto end = std::min(count, (b + 1) * block_size);
     switch (pairing) {
       case Pairing::all:
-        build_block<D, Pairing::all>(block, end, grid, positions, reach, body);
+        build_block<D, Pairing::all>(block, end, grid, positions, places, reach, body);
         break;
       case Pairing::within_bodies:
-        build_block<D, Pairing::within_bodies>(block, end, grid, positions, reach, body);
+        build_block<D, Pairing::within_bodies>(block, end, grid, positions, places, reach, body);
         break;
       case Pairing::across_bodies:
-        build_block<D, Pairing::across_bodies>(block, end, grid, positions, reach, body);
+        build_block<D, Pairing::across_bodies>(block, end, grid, positions, places, reach, body);
         break;
     }
   }

@@ -58,11 +58,12 @@ class EulerianScheme final : public Scheme {
 
   void restore(const std::map<std::string, double>& state) override {
     allocate_scratch();
-    neighbourhood_.restore(state.at("search_reach"));
+    neighbourhood_.restore(state.at("search_reach"), static_cast<int>(state.at("searches_since_order")));
     if (contact_) contact_->restore(state);
   }
   void save(std::map<std::string, double>& state) const override {
     state["search_reach"] = neighbourhood_.reach();
+    state["searches_since_order"] = neighbourhood_.searches_since_order();
     if (contact_) contact_->save(state);
   }
 
