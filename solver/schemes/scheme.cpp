@@ -15,7 +15,8 @@ struct RegisteredScheme {
   std::unique_ptr<Scheme> (*make)(const SchemeSetup&);
 };
 
-constexpr std::array<RegisteredScheme, 2> schemes{{
+constexpr std::array<RegisteredScheme, 3> schemes{{
+    {"adaptle", make_total_lagrangian},
     {"eulerian", make_eulerian},
     {"total-lagrangian", make_total_lagrangian},
 }};
@@ -33,10 +34,14 @@ SchemeSettings read_scheme(Section& root, const Scene& scene) {
   auto section = root.section_or_empty("scheme");
   settings.type = section.choice("type", scheme_names(), "eulerian");
   settings.courant = section.quantity("courant", dimension::none, {0.0, 1.0, true}, 0.25);
-  const bool lagrangian = settings.type == "total-lagrangian";
-  const std::vector<std::string> corrections =
-      lagrangian ? std::vector<std::string>{"mixed", "none"} : std::vector<std::string>{"none"};
-  settings.corrected = section.choice("correction", corrections, corrections.front()) == "mixed";
+  const bool adaptle = settings.type == "adaptle", eulerian = settings.type == "eulerian";
+  const std::array<std::string, 2> corrections{"mixed", "none"};
+  settings.corrected = section.choice("correction", corrections, eulerian ? "none" : "mixed") == "mixed";
+  if (settings.corrected && (eulerian || adaptle) && section.has("correction_limit"))
+    settings.correction_limit = section.quantity("correction_limit", dimension::none, {1.0, limits::infinite, true});
+  if (section.has("artificial_stress") && (eulerian || adaptle))
+    settings.artificial_stress = read_artificial_stress(section.section("artificial_stress"), scene.space, adaptle);
+  if (adaptle) settings.conversion = read_conversion(section);
   section.finish();
   settings.kernel = scene.kernel;
   auto smoothing = root.section("smoothing");
