@@ -18,12 +18,14 @@ class CorrectedSums {
  public:
   explicit CorrectedSums(const SchemeSettings& settings)
       : viscosity_(std::get<MonaghanViscosity>(settings.viscosity)),
-        corrected_(settings.corrected),
+        corrected_(settings.corrected_eulerian),
         switch_{settings.correction_limit},
         artificial_(settings.artificial_stress) {}
 
   /// Whether these settings ask for more than the plain sums.
-  static bool needed(const SchemeSettings& settings) { return settings.corrected || settings.artificial_stress; }
+  static bool needed(const SchemeSettings& settings) {
+    return settings.corrected_eulerian || settings.artificial_stress;
+  }
 
   /// Accelerations, velocity gradients and viscous powers of the Eulerian particles. `records` are those of the
   /// particles alone; `eulerian` says by a byte each who is Eulerian, null where all are.

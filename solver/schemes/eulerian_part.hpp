@@ -18,7 +18,7 @@ class EulerianPart {
       : particles_(particles),
         neighbourhood_(particles, support, std::move(planes),
                        {Pairing::within_bodies, false, Field::search_position,
-                        settings.corrected ? Listed::eulerian_and_near : Listed::eulerian}),
+                        settings.corrected_eulerian ? Listed::eulerian_and_near : Listed::eulerian}),
         sums_(settings) {}
 
   void start() {

@@ -35,9 +35,12 @@ SchemeSettings read_scheme(Section& root, const Scene& scene) {
   settings.type = section.choice("type", scheme_names(), "eulerian");
   settings.courant = section.quantity("courant", dimension::none, {0.0, 1.0, true}, 0.25);
   const bool adaptle = settings.type == "adaptle", eulerian = settings.type == "eulerian";
-  const std::array<std::string, 2> corrections{"mixed", "none"};
-  settings.corrected = section.choice("correction", corrections, eulerian ? "none" : "mixed") == "mixed";
-  if (settings.corrected && (eulerian || adaptle) && section.has("correction_limit"))
+  std::vector<std::string> corrections{"mixed", "none"};
+  if (adaptle) corrections.emplace_back("reference");  // of what is total-Lagrangian alone
+  const auto correction = section.choice("correction", corrections, eulerian ? "none" : "mixed");
+  settings.corrected = !eulerian && correction != "none";
+  settings.corrected_eulerian = (eulerian || adaptle) && correction == "mixed";
+  if (settings.corrected_eulerian && section.has("correction_limit"))
     settings.correction_limit = section.quantity("correction_limit", dimension::none, {1.0, limits::infinite, true});
   if (section.has("artificial_stress") && (eulerian || adaptle))
     settings.artificial_stress = read_artificial_stress(section.section("artificial_stress"), scene.space, adaptle);

@@ -24,7 +24,8 @@ struct SchemeSettings {
   double courant = 0.0;  ///< C in the time step limits
   std::string kernel;
   Viscosity viscosity;
-  bool corrected = false;                                             ///< mixed kernel-and-gradient correction
+  bool corrected = false;           ///< mixed correction of kernels of the reference configuration
+  bool corrected_eulerian = false;  ///< mixed correction of Eulerian kernels
   double correction_limit = std::numeric_limits<double>::infinity();  ///< C_f, of Eulerian kernels
   std::optional<ArtificialStress> artificial_stress;                  ///< of Eulerian kernels
   Conversion conversion;                                              ///< of total-Lagrangian particles
