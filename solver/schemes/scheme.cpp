@@ -5,6 +5,8 @@
 #include <array>
 
 #include "schemes/eulerian.hpp"
+#include "schemes/godunov_pm.hpp"
+#include "schemes/godunov_split.hpp"
 #include "schemes/total_lagrangian.hpp"
 
 namespace tektite {
@@ -15,10 +17,19 @@ struct RegisteredScheme {
   std::unique_ptr<Scheme> (*make)(const SchemeSetup&);
 };
 
-constexpr std::array<RegisteredScheme, 2> schemes{{
+constexpr std::array<RegisteredScheme, 4> schemes{{
     {"eulerian", make_eulerian},
+    {"godunov-pm", make_godunov_pm},
+    {"godunov-split", make_godunov_split},
     {"total-lagrangian", make_total_lagrangian},
 }};
+
+Viscosity read_viscosity(Section& root) {
+  auto section = root.section_or_empty("viscosity");
+  const auto names = Family<Viscosity>::names();
+  section.choice("model", names, names.front());
+  return Family<Viscosity>::read(section);
+}
 
 }  // namespace
 
@@ -37,14 +48,12 @@ SchemeSettings read_scheme(Section& root, const Scene& scene) {
   const std::vector<std::string> corrections =
       lagrangian ? std::vector<std::string>{"mixed", "none"} : std::vector<std::string>{"none"};
   settings.corrected = section.choice("correction", corrections, corrections.front()) == "mixed";
+  if (settings.type == "godunov-split") settings.godunov = read_godunov(section);
   section.finish();
   settings.kernel = scene.kernel;
   auto smoothing = root.section("smoothing");
   smoothing.choice("kernel", Family<Kernel>::names());
-  auto viscosity = root.section_or_empty("viscosity");
-  const auto names = Family<Viscosity>::names();
-  viscosity.choice("model", names, names.front());
-  settings.viscosity = Family<Viscosity>::read(viscosity);
+  if (!settings.type.starts_with("godunov")) settings.viscosity = read_viscosity(root);
   settings.contact = read_contact(root);
   return settings;
 }

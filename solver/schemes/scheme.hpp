@@ -14,6 +14,7 @@
 #include "physics/kernels/kernel.hpp"
 #include "physics/material.hpp"
 #include "physics/viscosity/viscosity.hpp"
+#include "schemes/godunov_settings.hpp"
 
 namespace tektite {
 
@@ -21,9 +22,10 @@ struct SchemeSettings {
   std::string type;      ///< name in the registry
   double courant = 0.0;  ///< C in the time step limits
   std::string kernel;
-  Viscosity viscosity;
+  Viscosity viscosity;     ///< of the schemes that are not Godunov's
   bool corrected = false;  ///< mixed kernel-and-gradient correction
   std::optional<ContactSettings> contact;
+  std::optional<GodunovSettings> godunov;  ///< of the scheme godunov-split
 };
 
 /// Everything that a scheme is built from. The particles outlive the scheme.
@@ -73,7 +75,7 @@ class Scheme {
 /// Names of all schemes.
 std::vector<std::string> scheme_names();
 
-/// Reads the solver's tables [scheme], [viscosity] of a scene.
+/// Reads the solver's tables [scheme], [viscosity], [contact] of a scene.
 SchemeSettings read_scheme(Section& root, const Scene& scene);
 
 /// Throws InputError where the scheme does not support the space.

@@ -20,6 +20,11 @@ std::vector<std::string> scenes(Space space) {
   const std::string contact = "contact.model = 'kernel-penalty'\n";
   std::vector<std::string> all{test::impact_scene, contact + test::impact_scene};
   if (space != Space::plane_stress) all.push_back(contact + "scheme.type = 'total-lagrangian'\n" + test::impact_scene);
+  if (space != Space::plane_stress)
+    for (const std::string scheme : {"type = 'godunov-pm'", "type = 'godunov-split', order = 1",
+                                     "type = 'godunov-split', order = 2, riemann.model = 'two-shock'",
+                                     "type = 'godunov-split', splitting = 'strang'"})
+      all.push_back("scheme = { " + scheme + " }\n" + test::impact_scene);
   return all;
 }
 

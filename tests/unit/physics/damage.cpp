@@ -14,10 +14,11 @@ namespace {
 constexpr double dt = 1e-8;  // s
 
 /// Damage after `steps` steps of plastic strain `increment` under a pressure and a uniaxial deviator of 1 MPa.
-double damage_after(const JohnsonCookDamage& model, int steps, double increment, double pressure) {
+template <class Model>
+double damage_after(const Model& model, int steps, double increment, double pressure) {
   Symmetric<double, 3> stress{{2e6 / 3.0, -1e6 / 3.0, -1e6 / 3.0, 0.0, 0.0, 0.0}};  // equivalent stress 1 MPa
   double damage = 0.0;
-  const AdvanceDamage<JohnsonCookDamage, 3> pass{model, &increment, &pressure, &stress, nullptr, dt, &damage};
+  const AdvanceDamage<Model, 3> pass{model, &increment, &pressure, &stress, nullptr, dt, &damage};
   for (int k = 0; k < steps; ++k) pass(0);
   return damage;
 }
