@@ -14,11 +14,12 @@ namespace tektite {
 /// With v* counted from v_i:
 ///   dv/dt = (2/ρ_i) Σ V_j σ* e·∇W,  power = (2/ρ_i) Σ V_j σ*·v* e·∇W,  L = 2 Σ V_j v* ⊗ ∇W,
 /// and dρ/dt = -ρ tr L, the sign of eq. 16 corrected.
-template <class Kernel, int D>
+template <class Kernel, class Smoothing, int D>
 struct ContactRates {
   using Record = ContactStateRecord<D>;
 
   const Record* records;
+  Smoothing smoothing;
   const double* density;
   Vector<double, D>* acceleration;
   double* power;       ///< W/kg
@@ -62,7 +63,7 @@ struct ContactRates {
       x[k] = a.x[k] - b[k];
       v[k] = b[D + k] - a.v[k];
     }
-    const PairAxis<Kernel, D> pair(x, Pack(0.5) * (a.h + rest[3]));
+    const PairAxis<Kernel, D> pair(x, smoothing.inverse_of(smoothing.of_pair(a.h, rest[3])));
     Vector<Pack, D> own, others;  // tractions
     for (int i = 0; i < D; ++i) {
       own[i] = a.stress[Record::index(i, 0)] * pair.e[0];

@@ -12,11 +12,12 @@ namespace tektite {
 /// (with m_j/(ρ_i ρ_j) = V_j/ρ_i; eq. 32's time-centred velocity takes ½ Δṽ · dṽ/dt from the power, which
 /// KickDeviatoric does), and for second order the gradients ∇Q_i = Σ V_j (Q_j - Q_i) ∇W of density, pressure and
 /// velocity.
-template <class Kernel, int D, int order>
+template <class Kernel, class Smoothing, int D, int order>
 struct DeviatoricRates {
   using Record = DeviatoricRecord<D>;
 
   const Record* records;
+  Smoothing smoothing;
   Vector<double, D>* acceleration;
   double* power;                        ///< W/kg
   HydrodynamicRecord<D>* hydrodynamic;  ///< whose gradients are written
@@ -58,7 +59,7 @@ struct DeviatoricRates {
       x[k] = a.x[k] - b[k];
       v[k] = b[D + k] - a.v[k];
     }
-    const PairAxis<Kernel, D> pair(x, Pack(0.5) * (a.h + rest[3]));
+    const PairAxis<Kernel, D> pair(x, smoothing.inverse_of(smoothing.of_pair(a.h, rest[3])));
     const Pack weight = rest[0] * pair.slope;
     Vector<Pack, D> gradient;  // V_j ∇W
     for (int k = 0; k < D; ++k) gradient[k] = weight * pair.e[k];

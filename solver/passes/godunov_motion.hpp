@@ -70,6 +70,7 @@ struct AssembleHydrodynamic {
     r.pressure = pressure[i];
     r.sound_speed = sound_speed[i];
     r.shock_slope = shock_slope;
+    r.inverse_slope = 1.0 / shock_slope;
     r.volume = mass[i] / density[i];
     r.smoothing_length = smoothing_length[i];
     r.failed = damage && damage[i] >= 1.0 ? 1.0 : 0.0;

@@ -41,6 +41,7 @@ struct alignas(pack_width * sizeof(double)) HydrodynamicRecord {
   double pressure;          ///< P
   double sound_speed;       ///< c, bulk
   double shock_slope;       ///< A
+  double inverse_slope;     ///< 1/A
   double volume;            ///< m/ρ
   double smoothing_length;  ///< h
   double failed;            ///< 1 where D = 1, otherwise 0
@@ -49,7 +50,7 @@ struct alignas(pack_width * sizeof(double)) HydrodynamicRecord {
   Tensor<double, D> velocity_gradient;
 
   /// Numbers before the gradients.
-  static constexpr std::size_t plain = 2 * D + 7;
+  static constexpr std::size_t plain = 2 * D + 8;
 
   void mirror(int axis, double at) {
     x[axis] = 2.0 * at - x[axis];
@@ -102,23 +103,22 @@ auto gather_records(const Record* records, const std::uint32_t* j) {
 }
 
 /// A pair as the Godunov schemes see it: the unit vector e_ij from j to i (zero where i meets itself), the distance and
-/// the kernel's slope, with the mean of both smoothing lengths.
+/// the kernel's slope.
 template <class Kernel, int D>
 struct PairAxis {
   Vector<Pack, D> e;
   Pack distance;
   Pack slope;  ///< dW/dr, so that ∇W = slope e; zero beyond the support
 
-  PairAxis(const Vector<Pack, D>& x, const Pack& h) {
+  PairAxis(const Vector<Pack, D>& x, const Pack& inverse_h) {
     using std::experimental::sqrt;
-    const Pack inverse_h = Pack(1.0) / h;
     distance = sqrt(dot(x, x));
     const Pack inverse = select(distance > Pack(0.0), Pack(1.0) / distance, Pack(0.0));
     for (int k = 0; k < D; ++k) e[k] = inverse * x[k];
     const Pack q = distance * inverse_h;
     Pack scale = inverse_h * Pack(Kernel::template normalisation<D>());
     for (int k = 0; k < D; ++k) scale *= inverse_h;
-    slope = select(q < Pack(Kernel::support), scale * q * Kernel::slope_over_q(q), Pack(0.0));
+    slope = select(q < Pack(Kernel::support), scale * Kernel::slope(q), Pack(0.0));
     slope = select(distance > Pack(0.0), slope, Pack(0.0));
   }
 };

@@ -19,12 +19,14 @@ struct NoReconstruction {};
 ///   L     = Σ V_j (ṽ_j - ṽ_i) ⊗ ∇W                   what shears the deviatoric stress
 /// Second order reconstructs both sides by eq. 23-27 with the domain of influence (1 - c Δt/r_ij) (printed without
 /// r_ij); Algorithm 1 leaves that out where either particle has failed, and lets such a pair bear no tension.
-template <class Kernel, int D, class Solver, class Limiter>
+template <class Kernel, class Smoothing, int D, class Solver, class Limiter>
 struct HydrodynamicRates {
   using Record = HydrodynamicRecord<D>;
   static constexpr bool reconstructs = !std::is_same_v<Limiter, NoReconstruction>;
+  static constexpr std::size_t numbers = Record::plain + (reconstructs ? 2 * D + D * D : 0);
 
   const Record* records;
+  Smoothing smoothing;
   Solver solver;
   Limiter limiter;
   double step;
@@ -36,7 +38,7 @@ struct HydrodynamicRates {
 
   struct Self {
     Vector<Pack, D> x, v;
-    Pack density, pressure, sound_speed, shock_slope, h, failed;
+    Pack density, pressure, sound_speed, shock_slope, inverse_slope, h, failed;
     Vector<Pack, D> density_gradient, pressure_gradient;
     Tensor<Pack, D> velocity_gradient;
   };
@@ -59,6 +61,7 @@ struct HydrodynamicRates {
     a.pressure = r.pressure;
     a.sound_speed = r.sound_speed;
     a.shock_slope = r.shock_slope;
+    a.inverse_slope = r.inverse_slope;
     a.h = r.smoothing_length;
     a.failed = r.failed;
     if constexpr (reconstructs) {
@@ -70,19 +73,19 @@ struct HydrodynamicRates {
   }
 
   void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
-    const auto other = gather_records < reconstructs ? Record::plain + 2 * D + D * D : Record::plain > (records, j);
+    const auto other = gather_records<numbers>(records, j);
     const Pack* const b = other.number;
-    const Pack* const rest = b + 2 * D;  // density, pressure, sound speed, shock slope, volume, h, failed
+    const Pack* const rest = b + 2 * D;  // density, pressure, sound speed, A, 1/A, volume, h, failed
     Vector<Pack, D> x, v;                // x_ij and ṽ_j - ṽ_i
     for (int k = 0; k < D; ++k) {
       x[k] = a.x[k] - b[k];
       v[k] = b[D + k] - a.v[k];
     }
-    const PairAxis<Kernel, D> pair(x, Pack(0.5) * (a.h + rest[5]));
+    const PairAxis<Kernel, D> pair(x, smoothing.inverse_of(smoothing.of_pair(a.h, rest[6])));
     const Pack closing = dot(v, pair.e);
-    RiemannSide<Pack> right{a.pressure, Pack(0.0), a.density, a.sound_speed, a.shock_slope};
-    RiemannSide<Pack> left{rest[1], closing, rest[0], rest[2], rest[3]};
-    const auto failed = a.failed + rest[6] > Pack(0.0);
+    RiemannSide<Pack> right{a.pressure, Pack(0.0), a.density, a.sound_speed, a.shock_slope, a.inverse_slope};
+    RiemannSide<Pack> left{rest[1], closing, rest[0], rest[2], rest[3], rest[4]};
+    const auto failed = a.failed + rest[7] > Pack(0.0);
     if constexpr (reconstructs) {
       const Pack intact = select(failed, Pack(0.0), Pack(0.5));
       reconstruct(a, b + Record::plain, pair.e,
@@ -92,7 +95,7 @@ struct HydrodynamicRates {
     auto star = solver(left, right);
     star.pressure = select(failed, larger(star.pressure, Pack(0.0)), star.pressure);
 
-    const Pack weight = rest[4] * pair.slope;  // V_j e·∇W
+    const Pack weight = rest[5] * pair.slope;  // V_j e·∇W
     const Pack push = weight * star.pressure;
     for (int i = 0; i < D; ++i) {
       sums.force[i] += push * pair.e[i];

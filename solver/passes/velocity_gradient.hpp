@@ -7,9 +7,10 @@
 namespace tektite {
 
 /// L = Σ V_j (v_j - v_i) ⊗ ∇W
-template <class Kernel, int D>
+template <class Kernel, class Smoothing, int D>
 struct VelocityGradient {
   const DeviatoricRecord<D>* records;
+  Smoothing smoothing;
   Tensor<double, D>* velocity_gradient;
 
   struct Self {
@@ -38,7 +39,7 @@ struct VelocityGradient {
       x[k] = a.x[k] - b[k];
       v[k] = b[D + k] - a.v[k];
     }
-    const PairAxis<Kernel, D> pair(x, Pack(0.5) * (a.h + rest[3]));
+    const PairAxis<Kernel, D> pair(x, smoothing.inverse_of(smoothing.of_pair(a.h, rest[3])));
     const Pack weight = rest[0] * pair.slope;
     for (int i = 0; i < D; ++i)
       for (int k = 0; k < D; ++k) sums.gradient(i, k) += weight * v[i] * pair.e[k];

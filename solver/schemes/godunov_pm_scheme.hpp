@@ -48,11 +48,13 @@ class GodunovPmScheme final : public GodunovScheme<space, Kernel, ContactStateRe
       neighbourhood_.mirror().fill(records_, p.count());
     }
     const auto scope = profile_.time("pairs");
-    for_each_pair(
-        neighbourhood_.pairs(),
-        ContactRates<Kernel, D>{records_.data(), p.scalars(Field::density), p.template vectors<D>(Field::acceleration),
-                                power_.data(), divergence_.data(), p.template tensors<D>(Field::velocity_gradient),
-                                p.scalars(Field::approach_speed)});
+    this->with_smoothing([&](const auto& smoothing) {
+      for_each_pair(neighbourhood_.pairs(),
+                    ContactRates<Kernel, std::decay_t<decltype(smoothing)>, D>{
+                        records_.data(), smoothing, p.scalars(Field::density),
+                        p.template vectors<D>(Field::acceleration), power_.data(), divergence_.data(),
+                        p.template tensors<D>(Field::velocity_gradient), p.scalars(Field::approach_speed)});
+    });
     this->hold(p.template vectors<D>(Field::acceleration));
   }
 

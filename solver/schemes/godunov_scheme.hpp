@@ -11,6 +11,7 @@
 #include "passes/body_contact.hpp"
 #include "passes/godunov_motion.hpp"
 #include "passes/hold_clamped.hpp"
+#include "passes/smoothing.hpp"
 #include "schemes/material_passes.hpp"
 #include "schemes/scheme.hpp"
 #include "schemes/state_sums.hpp"
@@ -31,7 +32,8 @@ class GodunovScheme : public Scheme {
         profile_(setup.profile),
         settings_(setup.settings),
         materials_(setup.particles, setup.materials),
-        neighbourhood_(setup.particles, Kernel::support * largest_smoothing(setup.particles), setup.symmetry,
+        smoothing_(smallest_and_largest(setup.particles)),
+        neighbourhood_(setup.particles, Kernel::support * smoothing_.second, setup.symmetry,
                        {setup.settings.contact ? Pairing::within_bodies : Pairing::all}) {
     if (settings_.contact)
       contact_.emplace(particles_, setup.materials, neighbourhood_.support(), setup.symmetry, *settings_.contact);
@@ -122,6 +124,15 @@ class GodunovScheme : public Scheme {
              [=, v = p.template vectors<D>(Field::velocity)](std::size_t i) { v[i] += dt * acceleration[i]; });
   }
 
+  /// sweep(smoothing) with what gives a pair's smoothing length.
+  template <class Sweep>
+  void with_smoothing(const Sweep& sweep) const {
+    if (smoothing_.first == smoothing_.second)
+      sweep(UniformSmoothing(smoothing_.first));
+    else
+      sweep(MeanSmoothing(smoothing_.first));
+  }
+
   /// Clamped particles and those on a symmetry plane stay where they have to.
   void hold(Vector<double, D>* acceleration) {
     if (particles_.has(Field::clamped))
@@ -145,6 +156,7 @@ class GodunovScheme : public Scheme {
   Profile& profile_;
   SchemeSettings settings_;
   Materials materials_;
+  std::pair<double, double> smoothing_;  ///< smallest and largest h
   Neighbourhood<D> neighbourhood_;
   std::optional<KernelContact<D, Kernel>> contact_;
   std::vector<Record> records_;
@@ -152,9 +164,10 @@ class GodunovScheme : public Scheme {
   std::vector<double> divergence_;  ///< of the velocities at the contacts, 1/s
 
  private:
-  static double largest_smoothing(const Particles& particles) {
+  static std::pair<double, double> smallest_and_largest(const Particles& particles) {
     const auto h = particles.reals(Field::smoothing_length);
-    return *std::max_element(h.begin(), h.end());
+    const auto [least, most] = std::minmax_element(h.begin(), h.end());
+    return {*least, *most};
   }
 };
 

@@ -87,9 +87,12 @@ class GodunovSplitScheme final : public GodunovScheme<space, Kernel, Hydrodynami
 
   template <int order>
   void sum_deviator() {
-    for_each_pair(neighbourhood_.pairs(), DeviatoricRates<Kernel, D, order>{
-                                              deviatoric_.data(), particles_.template vectors<D>(Field::acceleration),
-                                              power_.data(), records_.data()});
+    this->with_smoothing([&](const auto& smoothing) {
+      for_each_pair(neighbourhood_.pairs(),
+                    DeviatoricRates<Kernel, std::decay_t<decltype(smoothing)>, D, order>{
+                        deviatoric_.data(), smoothing, particles_.template vectors<D>(Field::acceleration),
+                        power_.data(), records_.data()});
+    });
   }
 
   /// The rates of the second half: eq. 21, 22 and 34.
@@ -126,11 +129,13 @@ class GodunovSplitScheme final : public GodunovScheme<space, Kernel, Hydrodynami
   template <class Solver, class Limiter>
   void sum_contacts(double dt, const Solver& solver, const Limiter& limiter) {
     auto& p = particles_;
-    for_each_pair(
-        neighbourhood_.pairs(),
-        HydrodynamicRates<Kernel, D, Solver, Limiter>{
-            records_.data(), solver, limiter, dt, p.template vectors<D>(Field::acceleration), power_.data(),
-            divergence_.data(), p.template tensors<D>(Field::velocity_gradient), p.scalars(Field::approach_speed)});
+    this->with_smoothing([&](const auto& smoothing) {
+      for_each_pair(neighbourhood_.pairs(),
+                    HydrodynamicRates<Kernel, std::decay_t<decltype(smoothing)>, D, Solver, Limiter>{
+                        records_.data(), smoothing, solver, limiter, dt, p.template vectors<D>(Field::acceleration),
+                        power_.data(), divergence_.data(), p.template tensors<D>(Field::velocity_gradient),
+                        p.scalars(Field::approach_speed)});
+    });
   }
 
   /// The state at the end of the step; the deviatoric stress and the damage only of `part` of it.
@@ -158,9 +163,11 @@ class GodunovSplitScheme final : public GodunovScheme<space, Kernel, Hydrodynami
     assemble_deviatoric();
     {
       const auto scope = profile_.time("deviatoric pairs");
-      for_each_pair(
-          neighbourhood_.pairs(),
-          VelocityGradient<Kernel, D>{deviatoric_.data(), particles_.template tensors<D>(Field::velocity_gradient)});
+      this->with_smoothing([&](const auto& smoothing) {
+        for_each_pair(neighbourhood_.pairs(),
+                      VelocityGradient<Kernel, std::decay_t<decltype(smoothing)>, D>{
+                          deviatoric_.data(), smoothing, particles_.template tensors<D>(Field::velocity_gradient)});
+      });
     }
     materials_.for_each_run([&](const Run& run) {
       advance_stress(run, part);

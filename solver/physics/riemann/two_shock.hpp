@@ -22,7 +22,7 @@ struct TwoShockRiemann {
   RiemannStar<T> operator()(const RiemannSide<T>& l, const RiemannSide<T>& r) const {
     using std::sqrt;
     const T br = r.density * r.shock_slope, bl = l.density * l.shock_slope;
-    const T reach_r = T(0.5) * r.sound_speed / r.shock_slope, reach_l = T(0.5) * l.sound_speed / l.shock_slope;
+    const T reach_r = T(0.5) * r.sound_speed * r.inverse_slope, reach_l = T(0.5) * l.sound_speed * l.inverse_slope;
     const T pr = r.pressure - br * reach_r * reach_r, pl = l.pressure - bl * reach_l * reach_l;
     const T vr = r.velocity - reach_r, vl = l.velocity + reach_l;
     // About the middle of v_r' and v_l', which lie half a width away: w = v* - middle.
@@ -34,7 +34,7 @@ struct TwoShockRiemann {
     // a_r (w + half)² + a_l (w - half)² + p_r' - p_l' = 0, whose rising root is meant
     const T a = ar + al, b = (al - ar) * half, c = a * half * half + jump;
     const T root = sqrt(larger(b * b - a * c, T(0.0)));
-    const T w = select(b < T(0.0), c / (b - root), (b + root) / a);
+    const T w = select(b < T(0.0), c, b + root) / select(b < T(0.0), b - root, a);
     const T by_right = pr + ar * (w + half) * (w + half), by_left = pl - al * (w - half) * (w - half);
     return {T(0.5) * (by_right + by_left), middle + w};
   }

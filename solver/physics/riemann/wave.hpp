@@ -6,12 +6,13 @@ namespace tektite {
 /// double and Pack (core/pack.hpp) alike.
 template <class T>
 struct RiemannSide {
-  T pressure;     ///< Pa, compression positive
-  T velocity;     ///< m/s
-  T density;      ///< kg/m³
-  T sound_speed;  ///< m/s
-  T shock_slope;  ///< A in u_s = c + A Δu, the speed of a weak shock over the jump of velocity
-                  ///< (physics/eos/shock_slope.hpp)
+  T pressure;       ///< Pa, compression positive
+  T velocity;       ///< m/s
+  T density;        ///< kg/m³
+  T sound_speed;    ///< m/s
+  T shock_slope;    ///< A in u_s = c + A Δu, the speed of a weak shock over the jump of velocity
+                    ///< (physics/eos/shock_slope.hpp)
+  T inverse_slope;  ///< 1/A, kept beside it to save divisions
 };
 
 /// What both sides agree on once they have met.

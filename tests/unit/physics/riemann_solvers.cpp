@@ -17,10 +17,14 @@ using Side = RiemannSide<double>;
 /// ρ c² in Pa
 double stiffness_of(const Side& side) { return side.density * side.sound_speed * side.sound_speed; }
 
+Side side_of(double pressure, double velocity, double density, double sound_speed, double shock_slope) {
+  return {pressure, velocity, density, sound_speed, shock_slope, 1.0 / shock_slope};
+}
+
 /// A state of some metal or gas under pressure or moderate tension.
 Side random_side(test::Random& random) {
-  Side side{0.0, random.between(-500.0, 500.0), random.magnitude(500.0, 2e4), random.magnitude(1e3, 1e4),
-            random.between(0.6, 2.0)};
+  auto side = side_of(0.0, random.between(-500.0, 500.0), random.magnitude(500.0, 2e4), random.magnitude(1e3, 1e4),
+                      random.between(0.6, 2.0));
   side.pressure = random.between(-0.02, 0.5) * stiffness_of(side);
   return side;
 }
@@ -127,8 +131,8 @@ TEST_CASE("Riemann solvers: several problems at once give what each gives alone"
       }
       const auto lanes = [](const auto& sides) {
         const auto of = [&](double Side::*member) { return Pack([&](auto lane) { return sides[lane].*member; }); };
-        return RiemannSide<Pack>{of(&Side::pressure), of(&Side::velocity), of(&Side::density), of(&Side::sound_speed),
-                                 of(&Side::shock_slope)};
+        return RiemannSide<Pack>{of(&Side::pressure),    of(&Side::velocity),    of(&Side::density),
+                                 of(&Side::sound_speed), of(&Side::shock_slope), of(&Side::inverse_slope)};
       };
       const auto together = solver(lanes(left), lanes(right));
       for (std::size_t k = 0; k < pack_width; ++k) {
@@ -156,8 +160,8 @@ TEST_CASE("Two-shock solver: both sides' shock relations are met", "[riemann]") 
 
 TEST_CASE("Two-shock solver: equal plates of Mie-Grüneisen material meet on their Hugoniot", "[riemann]") {
   const MieGrueneisen copper{8930.0, 3940.0, 1.489, 2.02};
-  const Side flyer{0.0, 1000.0, 8930.0, 3940.0, shock_slope(copper)},
-      plate{0.0, 0.0, 8930.0, 3940.0, shock_slope(copper)};
+  const double slope = shock_slope(copper);
+  const auto flyer = side_of(0.0, 1000.0, 8930.0, 3940.0, slope), plate = side_of(0.0, 0.0, 8930.0, 3940.0, slope);
   const auto star = TwoShockRiemann{}(flyer, plate);
   CHECK(star.velocity == Approx(500.0).epsilon(rounding));
   CHECK(star.pressure == Approx(8930.0 * (3940.0 + 1.489 * 500.0) * 500.0).epsilon(1e-6));  // that of the slope
@@ -167,7 +171,7 @@ TEST_CASE("Exact solver: shocks and rarefactions of the stiffened gas are those 
           "[riemann]") {
   const StiffenedGas gas{1000.0, 1500.0, 3.0};
   const auto side = [&](double rho, double v, double e) {
-    return Side{gas.pressure(rho, e), v, rho, std::sqrt(sound_speed_squared(gas, rho, e)), shock_slope(gas)};
+    return side_of(gas.pressure(rho, e), v, rho, std::sqrt(sound_speed_squared(gas, rho, e)), shock_slope(gas));
   };
   struct Case {
     double left_density, left_velocity, right_density, right_velocity;
