@@ -5,6 +5,7 @@
 #include "passes/velocity_gradient.hpp"
 #include "physics/eos/shock_slope.hpp"
 #include "schemes/godunov_scheme.hpp"
+#include "schemes/godunov_settings.hpp"
 
 namespace tektite {
 

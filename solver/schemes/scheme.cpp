@@ -6,6 +6,7 @@
 
 #include "schemes/eulerian.hpp"
 #include "schemes/godunov_pm.hpp"
+#include "schemes/godunov_settings.hpp"
 #include "schemes/godunov_split.hpp"
 #include "schemes/total_lagrangian.hpp"
 
@@ -48,7 +49,7 @@ SchemeSettings read_scheme(Section& root, const Scene& scene) {
   const std::vector<std::string> corrections =
       lagrangian ? std::vector<std::string>{"mixed", "none"} : std::vector<std::string>{"none"};
   settings.corrected = section.choice("correction", corrections, corrections.front()) == "mixed";
-  if (settings.type == "godunov-split") settings.godunov = read_godunov(section);
+  if (settings.type == "godunov-split") settings.godunov = std::make_shared<GodunovSettings>(read_godunov(section));
   section.finish();
   settings.kernel = scene.kernel;
   auto smoothing = root.section("smoothing");

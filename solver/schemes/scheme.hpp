@@ -14,9 +14,10 @@
 #include "physics/kernels/kernel.hpp"
 #include "physics/material.hpp"
 #include "physics/viscosity/viscosity.hpp"
-#include "schemes/godunov_settings.hpp"
 
 namespace tektite {
+
+struct GodunovSettings;
 
 struct SchemeSettings {
   std::string type;      ///< name in the registry
@@ -25,7 +26,7 @@ struct SchemeSettings {
   Viscosity viscosity;     ///< of the schemes that are not Godunov's
   bool corrected = false;  ///< mixed kernel-and-gradient correction
   std::optional<ContactSettings> contact;
-  std::optional<GodunovSettings> godunov;  ///< of the scheme godunov-split
+  std::shared_ptr<const GodunovSettings> godunov;  ///< of the scheme godunov-split
 };
 
 /// Everything that a scheme is built from. The particles outlive the scheme.

@@ -49,7 +49,7 @@ TEST_CASE("Damage: without plastic strain there is none, and it never falls", "[
   test::for_each_sample<Damage>([](const auto& model) {
     if constexpr (!std::is_same_v<std::decay_t<decltype(model)>, NoDamage>) {
       CHECK(damage_after(model, 5, 0.0, 0.0) == 0.0);
-      CHECK(damage_after(model, 3, 0.01, 0.0) > damage_after(model, 2, 0.01, 0.0));
+      CHECK(damage_after(model, 3, 0.001, 0.0) > damage_after(model, 2, 0.001, 0.0));
     }
   });
 }
