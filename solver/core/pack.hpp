@@ -13,6 +13,7 @@ namespace tektite {
 inline constexpr std::size_t pack_width = 4;
 using Pack = std::experimental::simd<double, std::experimental::simd_abi::deduce_t<double, pack_width>>;
 
+// Always inlined: a call inside a loop over pairs would put every register into memory.
 [[gnu::always_inline]] inline double select(bool condition, double yes, double no) { return condition ? yes : no; }
 [[gnu::always_inline]] inline Pack select(const Pack::mask_type& condition, const Pack& yes, Pack no) {
   where(condition, no) = yes;

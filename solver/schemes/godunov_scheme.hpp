@@ -54,13 +54,14 @@ class GodunovScheme : public Scheme {
 
   void restore(const std::map<std::string, double>& state) override {
     allocate_scratch();
-    neighbourhood_.restore(state.at("search_reach"));
+    neighbourhood_.restore(state.at("search_reach"), static_cast<int>(state.at("searches_since_order")));
     if (contact_) contact_->restore(state);
     resize_records();
     place_records();
   }
   void save(std::map<std::string, double>& state) const override {
     state["search_reach"] = neighbourhood_.reach();
+    state["searches_since_order"] = neighbourhood_.searches_since_order();
     if (contact_) contact_->save(state);
   }
 
