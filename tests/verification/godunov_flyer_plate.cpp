@@ -93,6 +93,31 @@ TEST_CASE("Plate impact: the exact states are those that the jump and yield cond
   CHECK(source.shock_speed() == Approx(5592.34).epsilon(1e-5));
 }
 
+TEST_CASE("Flyer plate: the example's exact profiles are this solution", "[godunov]") {
+  const auto check = [](const std::string& variant, const auto& exact) {
+    auto document = Document::load(std::string(EXAMPLES) + "/flyer_plate/scene.toml", variant, {});
+    const auto steps = [&](const std::string& name) {
+      return document.root().section("measure").section("error_l1_" + name).points("exact", 2, 2);
+    };
+    constexpr double contact = 0.5 * length;  // where the scene's plates meet
+    const auto compare = [&](const std::string& name, double test::PlateState::*member) {
+      for (const auto& step : steps(name)) {
+        const auto behind = exact.at(step[0] + 1e-9 - contact, end);  // just to the right of the step
+        CHECK(step[1] == Approx(behind.*member).epsilon(1e-8));       // as many digits as the scene gives
+      }
+    };
+    compare("velocity", &test::PlateState::velocity);
+    compare("density", &test::PlateState::density);
+    compare("stress", &test::PlateState::stress);
+    compare("energy", &test::PlateState::energy);
+    const auto places = steps("velocity");
+    CHECK(places.back()[0] - contact == Approx(exact.precursor_speed() * end).epsilon(1e-7));
+    CHECK(places[3][0] - contact == Approx(exact.shock_speed() * end).epsilon(1e-7));
+  };
+  check("", test::PlateImpact(printed, shear_modulus, flow_stress, speed));
+  check("hugoniot", test::PlateImpact(hugoniot, shear_modulus, flow_stress, speed));
+}
+
 TEST_CASE("Flyer plate: second order halves the errors of the other schemes at the paper's resolution", "[godunov]") {
   constexpr int count = 100;
   const auto with_pm = outcome(pm, printed, count), first = outcome(split1, printed, count),

@@ -25,6 +25,7 @@ std::vector<std::string> scenes(Space space) {
                                      "type = 'godunov-split', order = 2, riemann.model = 'two-shock'",
                                      "type = 'godunov-split', splitting = 'strang'"})
       all.push_back("scheme = { " + scheme + " }\n" + test::impact_scene);
+  if (space != Space::plane_stress) all.push_back(contact + "scheme.type = 'godunov-split'\n" + test::impact_scene);
   return all;
 }
 
