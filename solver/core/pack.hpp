@@ -13,15 +13,16 @@ namespace tektite {
 inline constexpr std::size_t pack_width = 4;
 using Pack = std::experimental::simd<double, std::experimental::simd_abi::deduce_t<double, pack_width>>;
 
-inline double select(bool condition, double yes, double no) { return condition ? yes : no; }
-inline Pack select(const Pack::mask_type& condition, const Pack& yes, Pack no) {
+// Always inlined: a call inside a loop over pairs would put every register into memory.
+[[gnu::always_inline]] inline double select(bool condition, double yes, double no) { return condition ? yes : no; }
+[[gnu::always_inline]] inline Pack select(const Pack::mask_type& condition, const Pack& yes, Pack no) {
   where(condition, no) = yes;
   return no;
 }
-inline double larger(double a, double b) { return a > b ? a : b; }
-inline Pack larger(const Pack& a, const Pack& b) { return std::experimental::max(a, b); }
-inline double smaller(double a, double b) { return a < b ? a : b; }
-inline Pack smaller(const Pack& a, const Pack& b) { return std::experimental::min(a, b); }
+[[gnu::always_inline]] inline double larger(double a, double b) { return a > b ? a : b; }
+[[gnu::always_inline]] inline Pack larger(const Pack& a, const Pack& b) { return std::experimental::max(a, b); }
+[[gnu::always_inline]] inline double smaller(double a, double b) { return a < b ? a : b; }
+[[gnu::always_inline]] inline Pack smaller(const Pack& a, const Pack& b) { return std::experimental::min(a, b); }
 
 /// Reads `rows` times four numbers from each of four places and turns them: out[k] holds the k-th number of each place.
 /// Whole rows are loaded and turned in registers, which takes half the instructions of reading number by number.

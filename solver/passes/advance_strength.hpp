@@ -16,6 +16,8 @@ struct PredictStrength {
   const Symmetric<double, D>* stress;
   const double* plastic_strain;
   const double* temperature;
+  const double* pressure;
+  const double* damage;  ///< may be null where nothing fails
   double half_step;
   Symmetric<double, D>* half_stress;
 
@@ -23,6 +25,10 @@ struct PredictStrength {
     DeviatorState<D> state{stress[i], 0.0, 0.0, 0.0};
     if constexpr (Strength::kind.yields) state.plastic_strain = plastic_strain[i];
     if constexpr (Strength::kind.heats) state.temperature = temperature[i];
+    if constexpr (Strength::kind.crushes) {
+      state.pressure = pressure[i];
+      state.damage = damage ? damage[i] : 0.0;
+    }
     advance_deviator(strength, velocity_gradient[i], across<plane_stress>(across_rate, i), density[i], half_step,
                      state);
     half_stress[i] = state.stress;
@@ -41,6 +47,8 @@ struct AdvanceStrength {
   double* plastic_strain;
   double* plastic_work;
   double* temperature;
+  const double* pressure;
+  const double* damage;       ///< may be null where nothing fails
   double* plastic_increment;  ///< may be null where nothing is damaged by it
 
   void operator()(std::size_t i) const {
@@ -50,6 +58,10 @@ struct AdvanceStrength {
       state.plastic_work = plastic_work[i];
     }
     if constexpr (Strength::kind.heats) state.temperature = temperature[i];
+    if constexpr (Strength::kind.crushes) {
+      state.pressure = pressure[i];
+      state.damage = damage ? damage[i] : 0.0;
+    }
     advance_deviator(strength, velocity_gradient[i], across<plane_stress>(across_rate, i), density[i], step, state);
     stress[i] = state.stress;
     if constexpr (Strength::kind.yields) {

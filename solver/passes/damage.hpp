@@ -20,15 +20,19 @@ struct AdvanceDamage {
   double* damage;
 
   void operator()(std::size_t i) const {
+    if constexpr (requires { model.fails_under(0.0); }) {
+      if (model.fails_under(pressure[i])) damage[i] = 1.0;
+    }
     if (plastic_increment[i] <= 0.0) return;
-    const DamageState state{-pressure[i] / von_mises(stress[i]), plastic_increment[i] / step,
-                            temperature ? temperature[i] : model.room_temperature};
+    DamageState state{-pressure[i] / von_mises(stress[i]), plastic_increment[i] / step, 0.0, pressure[i]};
+    if constexpr (requires { model.room_temperature; })
+      state.temperature = temperature ? temperature[i] : model.room_temperature;
     const double strain = model.failure_strain(state);
     damage[i] = strain > 0.0 ? std::min(1.0, damage[i] + plastic_increment[i] / strain) : 1.0;
   }
 };
 
-/// A failed particle bears no shear.
+/// A failed particle bears no shear, unless its strength model tells how much it bears.
 template <int D>
 struct ReleaseShear {
   const double* damage;

@@ -19,14 +19,14 @@ struct EnergySums {
   const Vector<double, D>* velocity;
   const double* energy;
   const double* plastic_work;  ///< may be null where nothing yields
-  const double* viscous_work;
+  const double* viscous_work;  ///< may be null where nothing is viscous
 
   void operator()(Sums& sums, std::size_t i) const {
     const double m = mass[i];
     sums.kinetic += 0.5 * m * dot(velocity[i], velocity[i]);
     sums.internal += m * energy[i];
     if (plastic_work) sums.plastic += m * plastic_work[i];
-    sums.viscous += m * viscous_work[i];
+    if (viscous_work) sums.viscous += m * viscous_work[i];
     sums.momentum += m * velocity[i];
   }
   static void join(Sums& whole, const Sums& part) {

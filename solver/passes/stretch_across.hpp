@@ -19,6 +19,7 @@ struct StretchAcross {
   const double* viscous_power;
   const double* plastic_strain;
   const double* temperature;
+  const double* damage;  ///< may be null where nothing fails
   double step;
   double* across_rate;  ///< D_zz in 1/s
 
@@ -26,6 +27,10 @@ struct StretchAcross {
     DeviatorState<2> state{stress[i], 0.0, 0.0, 0.0};
     if constexpr (Strength::kind.yields) state.plastic_strain = plastic_strain[i];
     if constexpr (Strength::kind.heats) state.temperature = temperature[i];
+    if constexpr (Strength::kind.crushes) {
+      state.pressure = pressure[i];
+      state.damage = damage ? damage[i] : 0.0;
+    }
     const auto& l = velocity_gradient[i];
     const double power = contract(stress[i], symmetric_part(l)) - pressure[i] * trace(l);
     const double energy_after = energy[i] + step * (power / density[i] + viscous_power[i]);

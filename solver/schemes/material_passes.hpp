@@ -87,25 +87,28 @@ class MaterialPasses {
   void predict_strength(const Run& run, double half_step) const {
     std::visit(
         [&](const auto& model) {
-          run_through(run.range,
-                      PredictStrength<std::decay_t<decltype(model)>, D, plane_stress>{
-                          model, particles_.tensors<D>(Field::velocity_gradient), across_rate(),
-                          particles_.scalars(Field::density), particles_.symmetrics<D>(Field::deviatoric_stress),
-                          optional(Field::plastic_strain), optional(Field::temperature), half_step,
-                          particles_.symmetrics<D>(Field::half_deviatoric_stress)});
+          run_through(
+              run.range,
+              PredictStrength<std::decay_t<decltype(model)>, D, plane_stress>{
+                  model, particles_.tensors<D>(Field::velocity_gradient), across_rate(),
+                  particles_.scalars(Field::density), particles_.symmetrics<D>(Field::deviatoric_stress),
+                  optional(Field::plastic_strain), optional(Field::temperature), particles_.scalars(Field::pressure),
+                  optional(Field::damage), half_step, particles_.symmetrics<D>(Field::half_deviatoric_stress)});
         },
         run.material->strength);
   }
 
-  void advance_strength(const Run& run, double step) const {
+  /// `density` is that by which the plastic work is counted per mass.
+  void advance_strength(const Run& run, double step, Field density = Field::half_density) const {
     std::visit(
         [&](const auto& model) {
-          run_through(run.range, AdvanceStrength<std::decay_t<decltype(model)>, D, plane_stress>{
-                                     model, particles_.tensors<D>(Field::velocity_gradient), across_rate(),
-                                     particles_.scalars(Field::half_density), step,
-                                     particles_.symmetrics<D>(Field::deviatoric_stress),
-                                     optional(Field::plastic_strain), optional(Field::plastic_work),
-                                     optional(Field::temperature), optional(Field::plastic_increment)});
+          run_through(
+              run.range,
+              AdvanceStrength<std::decay_t<decltype(model)>, D, plane_stress>{
+                  model, particles_.tensors<D>(Field::velocity_gradient), across_rate(), particles_.scalars(density),
+                  step, particles_.symmetrics<D>(Field::deviatoric_stress), optional(Field::plastic_strain),
+                  optional(Field::plastic_work), optional(Field::temperature), particles_.scalars(Field::pressure),
+                  optional(Field::damage), optional(Field::plastic_increment)});
         },
         run.material->strength);
   }
@@ -113,7 +116,8 @@ class MaterialPasses {
   /// What a failed particle no longer bears, of a stress and a pressure that were just computed.
   void release(const Run& run, Field stress, Field pressure) const {
     const bool damaged = !std::holds_alternative<NoDamage>(run.material->damage);
-    if (damaged)
+    const bool keeps_shear = std::visit([](const auto& model) { return model.kind.crushes; }, run.material->strength);
+    if (damaged && !keeps_shear)
       run_through(run.range, ReleaseShear<D>{particles_.scalars(Field::damage), particles_.symmetrics<D>(stress)});
     if (damaged || std::isfinite(run.material->least_pressure))
       run_through(run.range,
@@ -139,13 +143,14 @@ class MaterialPasses {
   void stretch_across(const Run& run, double step) const requires plane_stress {
     std::visit(
         [&](const auto& eos, const auto& strength) {
-          run_through(run.range,
-                      StretchAcross<std::decay_t<decltype(eos)>, std::decay_t<decltype(strength)>>{
-                          eos, strength, particles_.tensors<2>(Field::velocity_gradient),
-                          particles_.symmetrics<2>(Field::deviatoric_stress), particles_.scalars(Field::density),
-                          particles_.scalars(Field::specific_internal_energy), particles_.scalars(Field::pressure),
-                          particles_.scalars(Field::viscous_power), optional(Field::plastic_strain),
-                          optional(Field::temperature), step, particles_.scalars(Field::across_rate)});
+          run_through(
+              run.range,
+              StretchAcross<std::decay_t<decltype(eos)>, std::decay_t<decltype(strength)>>{
+                  eos, strength, particles_.tensors<2>(Field::velocity_gradient),
+                  particles_.symmetrics<2>(Field::deviatoric_stress), particles_.scalars(Field::density),
+                  particles_.scalars(Field::specific_internal_energy), particles_.scalars(Field::pressure),
+                  particles_.scalars(Field::viscous_power), optional(Field::plastic_strain),
+                  optional(Field::temperature), optional(Field::damage), step, particles_.scalars(Field::across_rate)});
         },
         run.material->eos, run.material->strength);
   }

@@ -5,6 +5,9 @@
 #include <array>
 
 #include "schemes/eulerian.hpp"
+#include "schemes/godunov_pm.hpp"
+#include "schemes/godunov_settings.hpp"
+#include "schemes/godunov_split.hpp"
 #include "schemes/total_lagrangian.hpp"
 
 namespace tektite {
@@ -15,11 +18,20 @@ struct RegisteredScheme {
   std::unique_ptr<Scheme> (*make)(const SchemeSetup&);
 };
 
-constexpr std::array<RegisteredScheme, 3> schemes{{
+constexpr std::array<RegisteredScheme, 5> schemes{{
     {"adaptle", make_total_lagrangian},
     {"eulerian", make_eulerian},
+    {"godunov-pm", make_godunov_pm},
+    {"godunov-split", make_godunov_split},
     {"total-lagrangian", make_total_lagrangian},
 }};
+
+Viscosity read_viscosity(Section& root) {
+  auto section = root.section_or_empty("viscosity");
+  const auto names = Family<Viscosity>::names();
+  section.choice("model", names, names.front());
+  return Family<Viscosity>::read(section);
+}
 
 }  // namespace
 
@@ -35,24 +47,25 @@ SchemeSettings read_scheme(Section& root, const Scene& scene) {
   settings.type = section.choice("type", scheme_names(), "eulerian");
   settings.courant = section.quantity("courant", dimension::none, {0.0, 1.0, true}, 0.25);
   const bool adaptle = settings.type == "adaptle", eulerian = settings.type == "eulerian";
-  std::vector<std::string> corrections{"mixed", "none"};
+  const bool lagrangian = adaptle || settings.type == "total-lagrangian";
+  std::vector<std::string> corrections{lagrangian ? "mixed" : "none"};  // the first one where none is named
+  if (lagrangian) corrections.emplace_back("none");
+  if (eulerian) corrections.emplace_back("mixed");
   if (adaptle) corrections.emplace_back("reference");  // of what is total-Lagrangian alone
-  const auto correction = section.choice("correction", corrections, eulerian ? "none" : "mixed");
-  settings.corrected = !eulerian && correction != "none";
+  const auto correction = section.choice("correction", corrections, corrections.front());
+  settings.corrected = lagrangian && correction != "none";
   settings.corrected_eulerian = (eulerian || adaptle) && correction == "mixed";
   if (settings.corrected_eulerian && section.has("correction_limit"))
     settings.correction_limit = section.quantity("correction_limit", dimension::none, {1.0, limits::infinite, true});
   if (section.has("artificial_stress") && (eulerian || adaptle))
     settings.artificial_stress = read_artificial_stress(section.section("artificial_stress"), scene.space, adaptle);
   if (adaptle) settings.conversion = read_conversion(section);
+  if (settings.type == "godunov-split") settings.godunov = std::make_shared<GodunovSettings>(read_godunov(section));
   section.finish();
   settings.kernel = scene.kernel;
   auto smoothing = root.section("smoothing");
   smoothing.choice("kernel", Family<Kernel>::names());
-  auto viscosity = root.section_or_empty("viscosity");
-  const auto names = Family<Viscosity>::names();
-  viscosity.choice("model", names, names.front());
-  settings.viscosity = Family<Viscosity>::read(viscosity);
+  if (!settings.type.starts_with("godunov")) settings.viscosity = read_viscosity(root);
   settings.contact = read_contact(root);
   return settings;
 }

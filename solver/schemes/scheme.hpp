@@ -19,17 +19,20 @@
 
 namespace tektite {
 
+struct GodunovSettings;
+
 struct SchemeSettings {
   std::string type;      ///< name in the registry
   double courant = 0.0;  ///< C in the time step limits
   std::string kernel;
-  Viscosity viscosity;
+  Viscosity viscosity;              ///< of the schemes that are not Godunov's
   bool corrected = false;           ///< mixed correction of kernels of the reference configuration
   bool corrected_eulerian = false;  ///< mixed correction of Eulerian kernels
   double correction_limit = std::numeric_limits<double>::infinity();  ///< C_f, of Eulerian kernels
   std::optional<ArtificialStress> artificial_stress;                  ///< of Eulerian kernels
   Conversion conversion;                                              ///< of total-Lagrangian particles
   std::optional<ContactSettings> contact;
+  std::shared_ptr<const GodunovSettings> godunov;  ///< of the scheme godunov-split
 };
 
 /// Everything that a scheme is built from. The particles outlive the scheme.
@@ -79,7 +82,7 @@ class Scheme {
 /// Names of all schemes.
 std::vector<std::string> scheme_names();
 
-/// Reads the solver's tables [scheme], [viscosity] of a scene.
+/// Reads the solver's tables [scheme], [viscosity], [contact] of a scene.
 SchemeSettings read_scheme(Section& root, const Scene& scene);
 
 /// Throws InputError where the scheme does not support the space.

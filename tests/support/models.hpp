@@ -13,7 +13,9 @@
 #include "core/document.hpp"
 #include "physics/damage/damage.hpp"
 #include "physics/eos/eos.hpp"
+#include "physics/limiters/limiter.hpp"
 #include "physics/model.hpp"
+#include "physics/riemann/riemann.hpp"
 #include "physics/strength/strength.hpp"
 #include "physics/viscosity/viscosity.hpp"
 
@@ -82,6 +84,12 @@ struct Samples<JohnsonCook> {
       "melting_temperature = '1793 K'\nspecific_heat = '477 J/(kg K)'\ntaylor_quinney = 1.0"};
 };
 template <>
+struct Samples<JohnsonHolmquist> {
+  static constexpr std::array<Texts, 1> all{
+      "shear_modulus = '193 GPa'\ntensile_limit = '-750 MPa'\np1 = '2.5 GPa'\ns1 = '7.1 GPa'\np2 = '10 GPa'\n"
+      "s2 = '12.2 GPa'\nfailed_slope = 0.4\nfailed_strength = '1.3 GPa'\nc = 0.009"};
+};
+template <>
 struct Samples<NoDamage> {
   static constexpr std::array<Texts, 1> all{""};
 };
@@ -92,8 +100,38 @@ struct Samples<JohnsonCookDamage> {
       "d1 = 0.05\nd2 = 3.44\nd3 = -2.12\nd4 = 0.002\nd5 = 0.61\nmelting_temperature = '1793 K'"};
 };
 template <>
+struct Samples<JohnsonHolmquistDamage> {
+  static constexpr std::array<Texts, 1> all{
+      "tensile_limit = '-750 MPa'\nmost_strain = 0.8\nmost_pressure = '99.75 GPa'"};
+};
+template <>
 struct Samples<MonaghanViscosity> {
   static constexpr std::array<Texts, 2> all{"", "alpha = 0.5\nbeta = 0.0"};
+};
+
+template <>
+struct Samples<AcousticRiemann> {
+  static constexpr std::array<Texts, 1> all{""};
+};
+template <>
+struct Samples<TwoShockRiemann> {
+  static constexpr std::array<Texts, 1> all{""};
+};
+template <>
+struct Samples<ExactRiemann> {
+  static constexpr std::array<Texts, 1> all{""};
+};
+template <>
+struct Samples<SwebyLimiter> {
+  static constexpr std::array<Texts, 3> all{"", "beta = 1.0", "beta = 1.5"};
+};
+template <>
+struct Samples<MonotonizedCentralLimiter> {
+  static constexpr std::array<Texts, 1> all{""};
+};
+template <>
+struct Samples<VanLeerLimiter> {
+  static constexpr std::array<Texts, 1> all{""};
 };
 
 /// A model as a scene with these parameters has it; throws InputError.

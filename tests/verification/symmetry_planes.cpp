@@ -46,12 +46,12 @@ auto above(const std::vector<int>& axes) {
 }
 
 template <Space space>
-void check_cut(Arrangement arrangement, const std::vector<int>& axes) {
+void check_cut(Arrangement arrangement, const std::vector<int>& axes, const std::string& scheme = {}) {
   constexpr int D = dimensions_of(space);
-  INFO(name_of(space) << ", " << axes.size() << " planes, particles "
-                      << (arrangement == Arrangement::on_the_plane ? "on" : "beside") << " them");
+  INFO(scheme << name_of(space) << ", " << axes.size() << " planes, particles "
+              << (arrangement == Arrangement::on_the_plane ? "on" : "beside") << " them");
   auto part = symmetric_impact(space, arrangement, above(axes));
-  std::string scene = test::impact_scene;
+  std::string scene = scheme + test::impact_scene;
   for (const int k : axes) {
     scene = fmt::format("symmetry.{0} = {{ axis = '{0}' }}\n", "xyz"[k]) + scene;
     for (std::size_t i = 0; i < part.count(); ++i) {
@@ -64,7 +64,7 @@ void check_cut(Arrangement arrangement, const std::vector<int>& axes) {
   const auto everywhere = [](const double*) { return true; };
   auto whole = symmetric_impact(space, arrangement, everywhere);
   const auto start = test::by_id(whole, Field::position);
-  auto whole_run = test::simulation_of(test::impact_scene, std::move(whole));
+  auto whole_run = test::simulation_of(scheme + test::impact_scene, std::move(whole));
   auto part_run = test::simulation_of(scene, std::move(part));
   test::take_steps(whole_run, steps);
   test::take_steps(part_run, steps);
@@ -110,6 +110,15 @@ TEST_CASE("Symmetry planes: half and a quarter of a solid model are the whole on
     check_cut<Space::solid>(arrangement, {1});
     check_cut<Space::solid>(arrangement, {1, 2});
   }
+}
+
+TEST_CASE("Symmetry planes: they hold for the Godunov schemes", "[symmetry]") {
+  for (const auto arrangement : {Arrangement::on_the_plane, Arrangement::beside_it})
+    for (const std::string scheme : {"type = 'godunov-pm'", "type = 'godunov-split'",
+                                     "type = 'godunov-split', riemann.model = 'two-shock', splitting = 'strang'"}) {
+      check_cut<Space::plane_strain>(arrangement, {1}, "scheme = { " + scheme + " }\n");
+      check_cut<Space::solid>(arrangement, {1, 2}, "scheme = { " + scheme + " }\n");
+    }
 }
 
 TEST_CASE("Symmetry planes: a bar that runs into a plane is half of two equal bars that collide", "[symmetry]") {

@@ -3,16 +3,10 @@
 #include <array>
 #include <cmath>
 
+#include "physics/damage/damage_state.hpp"
 #include "physics/model.hpp"
 
 namespace tektite {
-
-/// What a failure strain may depend on.
-struct DamageState {
-  double triaxiality = 0.0;          ///< σ* = -p / √(3/2 s:s)
-  double plastic_strain_rate = 0.0;  ///< 1/s
-  double temperature = 0.0;          ///< K
-};
 
 /// Johnson and Cook (1985): D = Σ Δε_p/ε_f with
 ///   ε_f = (D1 + D2 exp(D3 σ*)) (1 + D4 ln ε̇*) (1 + D5 T*),

@@ -30,6 +30,13 @@ struct CubicSpline {
     const T rest = T(2.0) - q;
     return select(q < T(1.0), T(2.25) * q - T(3.0), T(-0.75) * rest * rest / q);
   }
+
+  /// w'(q), without a division
+  template <class T>
+  static T slope(const T& q) {
+    const T rest = T(2.0) - q;
+    return select(q < T(1.0), q * (T(2.25) * q - T(3.0)), T(-0.75) * rest * rest);
+  }
 };
 
 }  // namespace tektite

@@ -36,6 +36,12 @@ struct TruncatedGaussian {
     using std::exp;
     return T(-2.0) * exp(-q * q);
   }
+
+  /// w'(q)
+  template <class T>
+  static T slope(const T& q) {
+    return q * slope_over_q(q);
+  }
 };
 
 }  // namespace tektite

@@ -31,6 +31,12 @@ struct WendlandC2 {
     const T rest = T(1.0) - T(0.5) * q;
     return T(-5.0) * rest * rest * rest;
   }
+
+  /// w'(q)
+  template <class T>
+  static T slope(const T& q) {
+    return q * slope_over_q(q);
+  }
 };
 
 }  // namespace tektite

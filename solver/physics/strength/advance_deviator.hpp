@@ -17,6 +17,8 @@ struct DeviatorState {
   double plastic_strain = 0.0;
   double plastic_work = 0.0;  ///< J/kg
   double temperature = 0.0;   ///< K
+  double pressure = 0.0;      ///< Pa, of models that crush
+  double damage = 0.0;        ///< of models that crush
 };
 
 /// R s Rᵀ for the rotation that the spin W = (L - Lᵀ)/2 makes in dt.
@@ -73,7 +75,8 @@ double plastic_increment(const Model& model, double trial, const FlowState& befo
     return (trial - model.flow_stress(before)) / stiffness;
   } else {
     const auto excess = [&](double increment) {
-      const FlowState after{before.plastic_strain + increment, increment / dt, before.temperature};
+      const FlowState after{before.plastic_strain + increment, increment / dt, before.temperature, before.pressure,
+                            before.damage};
       return trial - stiffness * increment - model.flow_stress(after);
     };
     double low = 0.0, high = trial / stiffness;
@@ -113,7 +116,7 @@ void advance_deviator(const Model& model, const Tensor<double, D>& l, double acr
     auto trial = rotated(state.stress, l, dt) + (2.0 * model.shear_modulus * dt) * deviator(rate);
     if constexpr (Model::kind.yields) {
       const double equivalent = von_mises(trial);
-      const FlowState flow{state.plastic_strain, 0.0, state.temperature};
+      const FlowState flow{state.plastic_strain, 0.0, state.temperature, state.pressure, state.damage};
       if (equivalent > model.flow_stress(flow)) {
         const double increment = plastic_increment(model, equivalent, flow, dt);
         // Molten material: the root's rounding must not turn a strength of zero into one below.

@@ -7,11 +7,12 @@
 #include "physics/strength/elastic.hpp"
 #include "physics/strength/isotropic_hardening.hpp"
 #include "physics/strength/johnson_cook.hpp"
+#include "physics/strength/johnson_holmquist.hpp"
 #include "physics/strength/no_strength.hpp"
 #include "physics/strength/perfectly_plastic.hpp"
 
 namespace tektite {
 
-using Strength = std::variant<NoStrength, Elastic, PerfectlyPlastic, IsotropicHardening, JohnsonCook>;
+using Strength = std::variant<NoStrength, Elastic, PerfectlyPlastic, IsotropicHardening, JohnsonCook, JohnsonHolmquist>;
 
 }  // namespace tektite

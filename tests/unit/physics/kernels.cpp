@@ -96,6 +96,16 @@ TEST_CASE("Kernels: the slope over the distance is finite at none", "[kernels]")
   });
 }
 
+TEST_CASE("Kernels: the slope is that over the distance, times the distance", "[kernels]") {
+  for_each_kernel([](auto kernel, auto) {
+    using K = decltype(kernel);
+    for (int k = 1; k < 100; ++k) {
+      const double q = k / 100.0 * K::support;
+      REQUIRE(K::slope(q) == Approx(q * K::slope_over_q(q)).epsilon(1e-14));  // a few roundings
+    }
+  });
+}
+
 TEST_CASE("Kernels: several distances at once give what each gives alone", "[kernels]") {
   for_each_kernel([](auto kernel, auto) {
     using K = decltype(kernel);

@@ -84,22 +84,30 @@ TEST_CASE("Models: a parameter outside its limits is refused", "[parameters]") {
   check_limits<Eos>();
   check_limits<Strength>();
   check_limits<Viscosity>();
+  check_limits<Riemann>();
+  check_limits<Limiter>();
 }
 
 TEST_CASE("Models: a parameter of another dimension is refused", "[parameters]") {
   check_dimensions<Eos>();
   check_dimensions<Strength>();
   check_dimensions<Viscosity>();
+  check_dimensions<Riemann>();
+  check_dimensions<Limiter>();
 }
 
 TEST_CASE("Models: a parameter that is left out has its declared value or is asked for", "[parameters]") {
   check_defaults<Eos>();
   check_defaults<Strength>();
   check_defaults<Viscosity>();
+  check_defaults<Riemann>();
+  check_defaults<Limiter>();
 }
 
 TEST_CASE("Models: an unknown name is answered with the known ones", "[parameters]") {
   check_unknown_name<Eos>();
   check_unknown_name<Strength>();
   check_unknown_name<Viscosity>();
+  check_unknown_name<Riemann>();
+  check_unknown_name<Limiter>();
 }

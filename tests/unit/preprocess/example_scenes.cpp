@@ -58,3 +58,23 @@ TEST_CASE("debris_3d: a quarter has a quarter of the particles and none on a sym
   CHECK(result.bodies[0].on_symmetry_planes + result.bodies[1].on_symmetry_planes == 0);
   CHECK(sum(result.snapshot.particles.integers(Field::clamped)) == 3 * (50 * 50 - 49 * 49));
 }
+
+TEST_CASE("ceramic_tile: 51 842 particles; half of it has the rows on one side of the plane and half of those on it") {
+  const auto result = example("ceramic_tile", "split2");
+  CHECK(result.bodies[0].count == 3321);
+  CHECK(result.bodies[1].count == 48521);
+  const auto half = example("ceramic_tile", "half");
+  CHECK(half.bodies[0].count == 81 * 21);
+  CHECK(half.bodies[1].count == 201 * 121);
+  CHECK(half.bodies[0].on_symmetry_planes == 81);
+  CHECK(half.bodies[1].on_symmetry_planes == 121);
+}
+
+TEST_CASE("collapsing_ring: 17 and 29 circles with the mass of the ring to a ten-thousandth") {
+  const auto [variant, count] = GENERATE(table<std::string, int>({{"split2", 8172}, {"split2_fine", 23780}}));
+  const auto result = example("collapsing_ring", variant);
+  CHECK(result.bodies[0].count == static_cast<std::size_t>(count));
+  const auto mass = result.snapshot.particles.reals(Field::mass);
+  const double exact = 1845.0 * 3.14159265358979 * (0.1 * 0.1 - 0.08 * 0.08);
+  CHECK(std::accumulate(mass.begin(), mass.end(), 0.0) == Approx(exact).epsilon(1.5e-4));  // whole particles on circles
+}

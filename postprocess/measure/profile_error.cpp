@@ -1,0 +1,70 @@
+// The error of a profile along a line against an exact solution that is constant between its waves.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "postprocess/measure/measure.hpp"
+
+namespace tektite {
+namespace {
+
+const std::vector<std::string> profiles{"velocity", "density", "stress", "specific_internal_energy"};
+
+/// The values of a profile; `stress` is that along the line, compression positive.
+std::vector<double> values_of(const Particles& particles, const std::string& profile) {
+  std::vector<double> values(particles.count());
+  const auto copy = [&](Field field) {
+    std::ranges::copy(particles.reals(field).first(values.size()), values.begin());
+  };
+  if (profile == "velocity") copy(Field::velocity);
+  if (profile == "density") copy(Field::density);
+  if (profile == "specific_internal_energy") copy(Field::specific_internal_energy);
+  if (profile == "stress") {
+    copy(Field::pressure);
+    const auto* s = particles.symmetrics<1>(Field::deviatoric_stress);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] -= s[i](0, 0);
+  }
+  return values;
+}
+
+/// Where the steps begin and their values: the first value holds before the first step too.
+using Steps = std::vector<std::vector<double>>;
+
+double exact_at(const Steps& steps, double x) {
+  double value = steps.front()[1];
+  for (const auto& step : steps)
+    if (x >= step[0]) value = step[1];
+  return value;
+}
+
+}  // namespace
+
+/// Mean over the particles of |value - exact| in the last snapshot, over the exact solution's range. Keys: profile;
+/// exact, a list of [x, value]: from x on the exact value is this. A wave lies within a spacing of where it is seen:
+/// the uncertainty is the error of moving every one by half a spacing.
+Measure read_error_l1(Section& section, const Declared& declared) {
+  if (declared.space != Space::line) throw section.fault("", "profiles are those of a line", "line");
+  const auto profile = section.choice("profile", profiles);
+  const auto steps = section.points("exact", 2, 2);
+  return [=](const Event& event) {
+    const auto values = values_of(event.last_snapshot.particles, profile);
+    const auto& x = event.last.position;
+    double least = limits::infinite, largest = -limits::infinite, sum = 0.0, moved = 0.0;
+    for (const auto& step : steps) {
+      least = std::min(least, step[1]);
+      largest = std::max(largest, step[1]);
+    }
+    for (std::size_t i = 0; i < values.size(); ++i) sum += std::abs(values[i] - exact_at(steps, x[i][0]));
+    double length = 0.0;
+    for (const auto& body : event.last.bodies) length += body.spacing * static_cast<double>(body.range.size());
+    for (std::size_t k = 0; k + 1 < steps.size(); ++k)
+      moved += 0.5 * event.last.bodies.front().spacing / length * std::abs(steps[k + 1][1] - steps[k][1]);
+    const double range = largest - least;
+    return Measured{sum / static_cast<double>(values.size()) / range, event.last.time, moved / range, {}};
+  };
+}
+
+}  // namespace tektite

@@ -1,0 +1,75 @@
+// What an impact leaves of a brittle plate: how much of it has failed, and how fast its back face flies off.
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "postprocess/measure/flight.hpp"
+#include "postprocess/measure/measure.hpp"
+
+namespace tektite {
+
+/// Area, in the plane, of the body's particles that have failed, D = 1, in the last snapshot.
+/// The edge of the failed region is known to a spacing: the uncertainty is half of what the particles beside it cover,
+/// taken as those with D between 0 and 1. Keys: body.
+Measure read_damaged_area(Section& section, const Declared& declared) {
+  if (dimensions_of(declared.space) != 2)
+    throw section.fault("", "an area lies in the plane", "plane-strain, plane-stress");
+  const auto name = read_body(section, "body", declared);
+  return [=](const Event& event) {
+    const auto& particles = event.last_snapshot.particles;
+    if (!particles.has(Field::damage)) throw RunError("the last snapshot has no damage");
+    const auto damage = particles.reals(Field::damage), density = particles.reals(Field::density);
+    const auto& whole = event.last;
+    const auto body = whole.body_named(name);
+    double failed = 0.0, beside = 0.0;
+    for (std::size_t i = 0; i < whole.count(); ++i) {
+      if (whole.body[i] != body) continue;
+      const double d = damage[whole.source[i]], area = whole.mass[i] / density[whole.source[i]];
+      if (d >= 1.0)
+        failed += area;
+      else if (d > 0.0)
+        beside += area;
+    }
+    return Measured{failed, whole.time, 0.5 * beside, {}};
+  };
+}
+
+/// Largest velocity along the flight of the projectile on the plate's back face in the last snapshot: the mean over the
+/// particles that started on that face within two smoothing lengths of the fastest one. The uncertainty is what the
+/// fastest particle by itself differs from it. Keys: body, projectile, axis (the direction of flight).
+Measure read_spall_velocity(Section& section, const Declared& declared) {
+  const auto plate = read_body(section, "body", declared);
+  const auto projectile = read_body(section, "projectile", declared);
+  const auto axis = read_axis(section, declared.space);
+  return [=](const Event& event) {
+    const auto& initial = event.initial;
+    const auto& last = event.last;
+    const auto body = initial.body_named(plate);
+    const auto direction = flight_direction(initial, initial.body_named(projectile), axis);
+    const auto extent = extent_along(initial, direction, [&](std::size_t i) { return initial.body[i] == body; });
+    const double spacing = initial.bodies[static_cast<std::size_t>(body)].spacing;
+    const auto place = places_in(initial, last);
+    const auto on_face = [&](std::size_t i) {
+      return last.body[i] == body && dot(initial.position[place[i]], direction) > extent.high - spacing;
+    };
+    std::size_t fastest = 0;
+    double most = -limits::infinite;
+    for (std::size_t i = 0; i < last.count(); ++i) {
+      const double speed = dot(last.velocity[i], direction);
+      if (!on_face(i) || speed <= most) continue;
+      most = speed;
+      fastest = i;
+    }
+    double sum = 0.0, count = 0.0;
+    for (std::size_t i = 0; i < last.count(); ++i) {
+      const auto apart = initial.position[place[i]] - initial.position[place[fastest]];
+      if (!on_face(i) || norm(apart) > 2.0 * last.smoothing_length[fastest]) continue;
+      sum += dot(last.velocity[i], direction);
+      ++count;
+    }
+    return Measured{sum / count, last.time, most - sum / count, {}};
+  };
+}
+
+}  // namespace tektite

@@ -1,0 +1,119 @@
+#pragma once
+
+#include <cstdint>
+
+#include "passes/godunov_records.hpp"
+
+namespace tektite {
+
+/// The contacts of Parshikov and Medin (2002) with the full stress vector in every space: the time-split Godunov paper,
+/// eq. 15 and 16. The traction σ e on the plane between two particles has a part along e_ij, carried by longitudinal
+/// waves, and one across it, carried by transverse ones; e_ij points from j, the left side, to i, the right one, for
+/// which the signs of eq. 15 are
+///   v* = (z_i v_i + z_j v_j + σ_i - σ_j)/(z_i + z_j),  σ* = (z_i σ_j + z_j σ_i + z_i z_j (v_i - v_j))/(z_i + z_j).
+/// With v* counted from v_i:
+///   dv/dt = (2/ρ_i) Σ V_j σ* e·∇W,  power = (2/ρ_i) Σ V_j σ*·v* e·∇W,  L = 2 Σ V_j v* ⊗ ∇W,
+/// and dρ/dt = -ρ tr L, the sign of eq. 16 corrected.
+template <class Kernel, class Smoothing, int D>
+struct ContactRates {
+  using Record = ContactStateRecord<D>;
+
+  const Record* records;
+  Smoothing smoothing;
+  const double* density;
+  Vector<double, D>* acceleration;
+  double* power;       ///< W/kg
+  double* divergence;  ///< tr L, 1/s
+  Tensor<double, D>* velocity_gradient;
+  double* approach;  ///< largest speed at which a neighbour comes nearer, m/s
+
+  struct Self {
+    Vector<Pack, D> x, v;
+    Pack stress[Record::stresses];
+    Pack longitudinal, transverse, h;
+  };
+  struct Sums {
+    Vector<Pack, D> force = Vector<Pack, D>::zero();
+    Pack power = 0.0;
+    Tensor<Pack, D> gradient = Tensor<Pack, D>::zero();
+    Pack approach = 0.0;
+  };
+
+  Self begin(std::size_t i) const {
+    const Record& r = records[i];
+    Self a;
+    for (int k = 0; k < D; ++k) {
+      a.x[k] = r.x[k];
+      a.v[k] = r.v[k];
+    }
+    for (int k = 0; k < Record::stresses; ++k) a.stress[k] = r.stress[k];
+    a.longitudinal = r.longitudinal;
+    a.transverse = r.transverse;
+    a.h = r.smoothing_length;
+    return a;
+  }
+
+  void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
+    const auto other = gather_records<2 * D + Record::stresses + 4>(records, j);
+    const Pack* const b = other.number;
+    const Pack* const other_stress = b + 2 * D;
+    const Pack* const rest = other_stress + Record::stresses;  // volume, z_l, z_t, h
+    Vector<Pack, D> x, v;                                      // x_ij and v_j - v_i
+    for (int k = 0; k < D; ++k) {
+      x[k] = a.x[k] - b[k];
+      v[k] = b[D + k] - a.v[k];
+    }
+    const PairAxis<Kernel, D> pair(x, smoothing.inverse_of(smoothing.of_pair(a.h, rest[3])));
+    Vector<Pack, D> own, others;  // tractions
+    for (int i = 0; i < D; ++i) {
+      own[i] = a.stress[Record::index(i, 0)] * pair.e[0];
+      others[i] = other_stress[Record::index(i, 0)] * pair.e[0];
+      for (int k = 1; k < D; ++k) {
+        own[i] += a.stress[Record::index(i, k)] * pair.e[k];
+        others[i] += other_stress[Record::index(i, k)] * pair.e[k];
+      }
+    }
+    const Pack closing = dot(v, pair.e), own_normal = dot(own, pair.e), other_normal = dot(others, pair.e);
+    const Wave along(a.longitudinal, rest[1]), across(a.transverse, rest[2]);
+    const Pack normal_stress = along.stress(own_normal, other_normal, closing);
+    const Pack normal_velocity = along.velocity(own_normal, other_normal, closing);
+    const Pack weight = rest[0] * pair.slope;  // V_j e·∇W
+    for (int i = 0; i < D; ++i) {
+      const Pack own_part = own[i] - own_normal * pair.e[i], other_part = others[i] - other_normal * pair.e[i];
+      const Pack slide = v[i] - closing * pair.e[i];
+      const Pack stress = normal_stress * pair.e[i] + across.stress(own_part, other_part, slide);
+      const Pack velocity = normal_velocity * pair.e[i] + across.velocity(own_part, other_part, slide);
+      sums.force[i] += weight * stress;
+      sums.power += weight * stress * velocity;
+      for (int k = 0; k < D; ++k) sums.gradient(i, k) += weight * velocity * pair.e[k];
+    }
+    sums.approach = larger(sums.approach, select(pair.slope < Pack(0.0), closing, Pack(0.0)));
+  }
+
+  void end(std::size_t i, const Sums& sums) const {
+    const double twice = 2.0 / density[i];
+    for (int k = 0; k < D; ++k) acceleration[i][k] = twice * sum(sums.force[k]);
+    power[i] = twice * sum(sums.power);
+    for (int k = 0; k < D * D; ++k) velocity_gradient[i].c[k] = 2.0 * sum(sums.gradient.c[k]);
+    divergence[i] = trace(velocity_gradient[i]);
+    approach[i] = largest(sums.approach);
+  }
+
+ private:
+  /// Two waves of one kind that leave a contact, by the impedances of its sides. Where neither side carries them there
+  /// is no stress, and the contact moves as particle i does.
+  struct Wave {
+    Pack own, other, inverse;
+
+    Wave(const Pack& zi, const Pack& zj)
+        : own(zi), other(zj), inverse(select(zi + zj > Pack(0.0), Pack(1.0) / (zi + zj), Pack(0.0))) {}
+    Pack stress(const Pack& si, const Pack& sj, const Pack& closing) const {
+      return (own * sj + other * si - own * other * closing) * inverse;
+    }
+    Pack velocity(const Pack& si, const Pack& sj, const Pack& closing) const {
+      return (other * closing + si - sj) * inverse;
+    }
+  };
+};
+
+}  // namespace tektite

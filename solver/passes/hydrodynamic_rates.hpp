@@ -1,0 +1,144 @@
+#pragma once
+
+#include <cstdint>
+
+#include "passes/godunov_records.hpp"
+#include "physics/riemann/wave.hpp"
+
+namespace tektite {
+
+/// No limiter: the state of a side is that of its particle (first order).
+struct NoReconstruction {};
+
+/// The hydrodynamic half of the time-split Godunov paper's eq. 21, 22 and 34, with one Riemann problem a pair along
+/// e_ij, which points from j, the left side, to i, the right one; v* is counted from ṽ_i here:
+///   dv̌/dt = -(2/ρ_i) Σ V_j p* ∇W
+///   power = -(2/ρ_i) Σ V_j p* v* e·∇W                 (eq. 34; AdvanceHydrodynamic adds its time-centred part)
+///   tr L* = 2 Σ V_j v* e·∇W                           dρ/dt = -ρ tr L*, the sign of eq. 22 corrected: as printed,
+///                                                     compression would lower the density
+///   L     = Σ V_j (ṽ_j - ṽ_i) ⊗ ∇W                   what shears the deviatoric stress
+/// Second order reconstructs both sides by eq. 23-27 with the domain of influence (1 - c Δt/r_ij) (printed without
+/// r_ij); Algorithm 1 leaves that out where either particle has failed, and lets such a pair bear no tension.
+template <class Kernel, class Smoothing, int D, class Solver, class Limiter>
+struct HydrodynamicRates {
+  using Record = HydrodynamicRecord<D>;
+  static constexpr bool reconstructs = !std::is_same_v<Limiter, NoReconstruction>;
+  static constexpr std::size_t numbers = Record::plain + (reconstructs ? 2 * D + D * D : 0);
+
+  const Record* records;
+  Smoothing smoothing;
+  Solver solver;
+  Limiter limiter;
+  double step;
+  Vector<double, D>* acceleration;
+  double* power;       ///< W/kg
+  double* divergence;  ///< tr L*, 1/s
+  Tensor<double, D>* velocity_gradient;
+  double* approach;  ///< largest speed at which a neighbour comes nearer, m/s
+
+  struct Self {
+    Vector<Pack, D> x, v;
+    Pack density, pressure, sound_speed, shock_slope, inverse_slope, h, failed;
+    Vector<Pack, D> density_gradient, pressure_gradient;
+    Tensor<Pack, D> velocity_gradient;
+  };
+  struct Sums {
+    Vector<Pack, D> force = Vector<Pack, D>::zero();
+    Pack power = 0.0;
+    Pack divergence = 0.0;
+    Tensor<Pack, D> gradient = Tensor<Pack, D>::zero();
+    Pack approach = 0.0;
+  };
+
+  Self begin(std::size_t i) const {
+    const Record& r = records[i];
+    Self a;
+    for (int k = 0; k < D; ++k) {
+      a.x[k] = r.x[k];
+      a.v[k] = r.v[k];
+    }
+    a.density = r.density;
+    a.pressure = r.pressure;
+    a.sound_speed = r.sound_speed;
+    a.shock_slope = r.shock_slope;
+    a.inverse_slope = r.inverse_slope;
+    a.h = r.smoothing_length;
+    a.failed = r.failed;
+    if constexpr (reconstructs) {
+      for (int k = 0; k < D; ++k) a.density_gradient[k] = r.density_gradient[k];
+      for (int k = 0; k < D; ++k) a.pressure_gradient[k] = r.pressure_gradient[k];
+      for (int k = 0; k < D * D; ++k) a.velocity_gradient.c[k] = r.velocity_gradient.c[k];
+    }
+    return a;
+  }
+
+  void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
+    const auto other = gather_records<numbers>(records, j);
+    const Pack* const b = other.number;
+    const Pack* const rest = b + 2 * D;  // density, pressure, sound speed, A, 1/A, volume, h, failed
+    Vector<Pack, D> x, v;                // x_ij and ṽ_j - ṽ_i
+    for (int k = 0; k < D; ++k) {
+      x[k] = a.x[k] - b[k];
+      v[k] = b[D + k] - a.v[k];
+    }
+    const PairAxis<Kernel, D> pair(x, smoothing.inverse_of(smoothing.of_pair(a.h, rest[6])));
+    const Pack closing = dot(v, pair.e);
+    RiemannSide<Pack> right{a.pressure, Pack(0.0), a.density, a.sound_speed, a.shock_slope, a.inverse_slope};
+    RiemannSide<Pack> left{rest[1], closing, rest[0], rest[2], rest[3], rest[4]};
+    const auto failed = a.failed + rest[7] > Pack(0.0);
+    if constexpr (reconstructs) {
+      const Pack intact = select(failed, Pack(0.0), Pack(0.5));
+      reconstruct(a, b + Record::plain, pair.e,
+                  intact * larger(pair.distance - Pack(step) * left.sound_speed, Pack(0.0)),
+                  intact * larger(pair.distance - Pack(step) * right.sound_speed, Pack(0.0)), left, right);
+    }
+    auto star = solver(left, right);
+    star.pressure = select(failed, larger(star.pressure, Pack(0.0)), star.pressure);
+
+    const Pack weight = rest[5] * pair.slope;  // V_j e·∇W
+    const Pack push = weight * star.pressure;
+    for (int i = 0; i < D; ++i) {
+      sums.force[i] += push * pair.e[i];
+      const Pack across = weight * v[i];
+      for (int k = 0; k < D; ++k) sums.gradient(i, k) += across * pair.e[k];
+    }
+    sums.power += push * star.velocity;
+    sums.divergence += weight * star.velocity;
+    sums.approach = larger(sums.approach, select(pair.slope < Pack(0.0), closing, Pack(0.0)));
+  }
+
+  void end(std::size_t i, const Sums& sums) const {
+    const double twice = -2.0 / records[i].density;
+    for (int k = 0; k < D; ++k) acceleration[i][k] = twice * sum(sums.force[k]);
+    power[i] = twice * sum(sums.power);
+    divergence[i] = 2.0 * sum(sums.divergence);
+    for (int k = 0; k < D * D; ++k) velocity_gradient[i].c[k] = sum(sums.gradient.c[k]);
+    approach[i] = largest(sums.approach);
+  }
+
+ private:
+  /// Brings both sides to the middle of the pair with their limited slopes; `gradients` are the left particle's.
+  void reconstruct(const Self& a, const Pack* gradients, const Vector<Pack, D>& e, const Pack& left_way,
+                   const Pack& right_way, RiemannSide<Pack>& left, RiemannSide<Pack>& right) const {
+    const auto along = [&](const Pack* gradient) {
+      Pack slope = gradient[0] * e[0];
+      for (int k = 1; k < D; ++k) slope += gradient[k] * e[k];
+      return slope;
+    };
+    const auto bend = [&](Pack RiemannSide<Pack>::*member, const Pack& left_slope, const Pack& right_slope) {
+      const Pack slope = limiter(left_slope, right_slope);
+      left.*member += left_way * slope;
+      right.*member -= right_way * slope;
+    };
+    bend(&RiemannSide<Pack>::density, along(gradients), along(a.density_gradient.c));
+    bend(&RiemannSide<Pack>::pressure, along(gradients + D), along(a.pressure_gradient.c));
+    Pack left_slope = 0.0, right_slope = 0.0;  // of the velocity along e
+    for (int k = 0; k < D; ++k) {
+      left_slope += e[k] * along(gradients + 2 * D + k * D);
+      right_slope += e[k] * along(a.velocity_gradient.c + k * D);
+    }
+    bend(&RiemannSide<Pack>::velocity, left_slope, right_slope);
+  }
+};
+
+}  // namespace tektite

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+
+#include "passes/godunov_records.hpp"
+
+namespace tektite {
+
+/// L = Σ V_j (v_j - v_i) ⊗ ∇W
+template <class Kernel, class Smoothing, int D>
+struct VelocityGradient {
+  const DeviatoricRecord<D>* records;
+  Smoothing smoothing;
+  Tensor<double, D>* velocity_gradient;
+
+  struct Self {
+    Vector<Pack, D> x, v;
+    Pack h;
+  };
+  using Sums = struct { Tensor<Pack, D> gradient = Tensor<Pack, D>::zero(); };
+
+  Self begin(std::size_t i) const {
+    Self a;
+    for (int k = 0; k < D; ++k) {
+      a.x[k] = records[i].x[k];
+      a.v[k] = records[i].v[k];
+    }
+    a.h = records[i].smoothing_length;
+    return a;
+  }
+
+  void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
+    constexpr int stresses = DeviatoricRecord<D>::stresses;
+    const auto other = gather_records<2 * D + stresses + 4>(records, j);
+    const Pack* const b = other.number;
+    const Pack* const rest = b + 2 * D + stresses;
+    Vector<Pack, D> x, v;
+    for (int k = 0; k < D; ++k) {
+      x[k] = a.x[k] - b[k];
+      v[k] = b[D + k] - a.v[k];
+    }
+    const PairAxis<Kernel, D> pair(x, smoothing.inverse_of(smoothing.of_pair(a.h, rest[3])));
+    const Pack weight = rest[0] * pair.slope;
+    for (int i = 0; i < D; ++i)
+      for (int k = 0; k < D; ++k) sums.gradient(i, k) += weight * v[i] * pair.e[k];
+  }
+
+  void end(std::size_t i, const Sums& sums) const {
+    for (int k = 0; k < D * D; ++k) velocity_gradient[i].c[k] = sum(sums.gradient.c[k]);
+  }
+};
+
+}  // namespace tektite

@@ -1,0 +1,26 @@
+#include "schemes/godunov_settings.hpp"
+
+namespace tektite {
+namespace {
+
+template <class Models>
+Models read_or_first(Section& parent, const std::string& key) {
+  auto section = parent.section_or_empty(key);
+  const auto names = Family<Models>::names();
+  section.choice("model", names, names.front());
+  return Family<Models>::read(section);
+}
+
+}  // namespace
+
+GodunovSettings read_godunov(Section& scheme) {
+  GodunovSettings settings;
+  settings.order = static_cast<int>(scheme.integer("order", {1.0, 2.0}, 2));
+  const std::vector<std::string> splittings{"lie-trotter", "strang"};
+  settings.strang = scheme.choice("splitting", splittings, "lie-trotter") == "strang";
+  settings.riemann = read_or_first<Riemann>(scheme, "riemann");
+  if (settings.order == 2) settings.limiter = read_or_first<Limiter>(scheme, "limiter");
+  return settings;
+}
+
+}  // namespace tektite

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "physics/limiters/limiter.hpp"
+#include "physics/riemann/riemann.hpp"
+
+namespace tektite {
+
+/// What the Godunov schemes are asked for beside the Courant number and the kernel.
+struct GodunovSettings {
+  int order = 2;        ///< in space
+  bool strang = false;  ///< Strang's splitting, of second order in time; otherwise that of Lie and Trotter
+  Riemann riemann;
+  Limiter limiter;  ///< of second order
+};
+
+/// Reads `order`, `splitting`, `riemann` and, of second order, `limiter` of [scheme].
+GodunovSettings read_godunov(Section& scheme);
+
+}  // namespace tektite

@@ -1,0 +1,188 @@
+#pragma once
+
+#include "passes/deviatoric_rates.hpp"
+#include "passes/hydrodynamic_rates.hpp"
+#include "passes/velocity_gradient.hpp"
+#include "physics/eos/shock_slope.hpp"
+#include "schemes/godunov_scheme.hpp"
+#include "schemes/godunov_settings.hpp"
+
+namespace tektite {
+
+/// A step goes through the paper's two halves one after the other. The deviatoric half changes velocities and energies
+/// by the deviatoric stress, and the stress by the velocity gradient after it; the hydrodynamic half solves the Riemann
+/// problems. The gradients that second order needs are summed up beside the deviatoric forces, from the state at the
+/// start of the step: that of the velocity lacks the change by the deviatoric half, a term of second order in what is
+/// reconstructed.
+template <Space space, class Kernel>
+class GodunovSplitScheme final : public GodunovScheme<space, Kernel, HydrodynamicRecord<dimensions_of(space)>> {
+  using Base = GodunovScheme<space, Kernel, HydrodynamicRecord<dimensions_of(space)>>;
+  using Base::contact_;
+  using Base::D;
+  using Base::divergence_;
+  using Base::materials_;
+  using Base::neighbourhood_;
+  using Base::particles_;
+  using Base::power_;
+  using Base::profile_;
+  using Base::records_;
+  using Base::settings_;
+  using typename Base::Run;
+
+ public:
+  explicit GodunovSplitScheme(const SchemeSetup& setup) : Base(setup), godunov_(*setup.settings.godunov) {
+    for (const auto& [name, material] : setup.materials)
+      shock_slope_[&material] = std::visit([](const auto& eos) { return shock_slope(eos); }, material.eos);
+  }
+
+  void step(double dt) override {
+    const double part = godunov_.strang ? 0.5 * dt : dt;
+    this->search();
+    this->kick_by_contact(part);
+    kick_by_deviator(part, true);
+    solve_contacts(dt);
+    advance(dt, part);
+    if (godunov_.strang) finish_symmetrically(part);
+  }
+
+  std::size_t memory() const override { return Base::memory() + deviatoric_.capacity() * sizeof(DeviatoricRecord<D>); }
+
+ private:
+  void resize_records() override {
+    Base::resize_records();
+    deviatoric_.resize(records_.size());
+  }
+
+  /// The first half of eq. 21 with eq. 32.
+  void kick_by_deviator(double dt, bool with_gradients) {
+    auto& p = particles_;
+    assemble_deviatoric();
+    {
+      const auto scope = profile_.time("deviatoric pairs");
+      if (with_gradients && godunov_.order == 2)
+        sum_deviator<2>();
+      else
+        sum_deviator<1>();
+    }
+    const auto scope = profile_.time("kick");
+    auto* const acceleration = p.template vectors<D>(Field::acceleration);
+    this->hold(acceleration);
+    materials_.for_each_run([&](const Run& run) {
+      run_through(run.range, KickDeviatoric<D>{acceleration, power_.data(), dt, p.template vectors<D>(Field::velocity),
+                                               p.scalars(Field::specific_internal_energy)});
+    });
+  }
+
+  void assemble_deviatoric() {
+    const auto scope = profile_.time("assemble");
+    auto& p = particles_;
+    materials_.for_each_run([&](const Run& run) {
+      run_through(run.range,
+                  AssembleDeviatoric<D>{p.template vectors<D>(Field::position), p.template vectors<D>(Field::velocity),
+                                        p.template symmetrics<D>(Field::deviatoric_stress), p.scalars(Field::mass),
+                                        p.scalars(Field::density), p.scalars(Field::pressure),
+                                        p.scalars(Field::smoothing_length), deviatoric_.data()});
+    });
+    neighbourhood_.mirror().fill(deviatoric_, p.count());
+  }
+
+  template <int order>
+  void sum_deviator() {
+    this->with_smoothing([&](const auto& smoothing) {
+      for_each_pair(neighbourhood_.pairs(),
+                    DeviatoricRates<Kernel, std::decay_t<decltype(smoothing)>, D, order>{
+                        deviatoric_.data(), smoothing, particles_.template vectors<D>(Field::acceleration),
+                        power_.data(), records_.data()});
+    });
+  }
+
+  /// The rates of the second half: eq. 21, 22 and 34.
+  void solve_contacts(double dt) {
+    assemble_hydrodynamic();
+    const auto scope = profile_.time("hydrodynamic pairs");
+    std::visit(
+        [&](const auto& solver) {
+          if (godunov_.order == 1)
+            sum_contacts(dt, solver, NoReconstruction{});
+          else
+            std::visit([&](const auto& limiter) { sum_contacts(dt, solver, limiter); }, godunov_.limiter);
+        },
+        godunov_.riemann);
+    this->hold(particles_.template vectors<D>(Field::acceleration));
+  }
+
+  void assemble_hydrodynamic() {
+    const auto scope = profile_.time("assemble");
+    auto& p = particles_;
+    materials_.for_each_run([&](const Run& run) {
+      materials_.evaluate_eos(run, Field::density, Field::specific_internal_energy, Field::half_pressure,
+                              Field::half_sound_speed);
+      materials_.release(run, Field::deviatoric_stress, Field::half_pressure);
+      run_through(run.range, AssembleHydrodynamic<D>{
+                                 p.template vectors<D>(Field::position), p.template vectors<D>(Field::velocity),
+                                 p.scalars(Field::mass), p.scalars(Field::density), p.scalars(Field::half_pressure),
+                                 p.scalars(Field::half_sound_speed), p.scalars(Field::smoothing_length), this->damage(),
+                                 shock_slope_.at(run.material), records_.data()});
+    });
+    neighbourhood_.mirror().fill(records_, p.count());
+  }
+
+  template <class Solver, class Limiter>
+  void sum_contacts(double dt, const Solver& solver, const Limiter& limiter) {
+    auto& p = particles_;
+    this->with_smoothing([&](const auto& smoothing) {
+      for_each_pair(neighbourhood_.pairs(),
+                    HydrodynamicRates<Kernel, std::decay_t<decltype(smoothing)>, D, Solver, Limiter>{
+                        records_.data(), smoothing, solver, limiter, dt, p.template vectors<D>(Field::acceleration),
+                        power_.data(), divergence_.data(), p.template tensors<D>(Field::velocity_gradient),
+                        p.scalars(Field::approach_speed)});
+    });
+  }
+
+  /// The state at the end of the step; the deviatoric stress and the damage only of `part` of it.
+  void advance(double dt, double part) {
+    const auto scope = profile_.time("advance");
+    auto& p = particles_;
+    materials_.for_each_run([&](const Run& run) {
+      run_through(run.range,
+                  AdvanceGodunov<D>{p.template vectors<D>(Field::acceleration), power_.data(), divergence_.data(), dt,
+                                    p.template vectors<D>(Field::position), p.template vectors<D>(Field::velocity),
+                                    p.scalars(Field::specific_internal_energy), p.scalars(Field::density)});
+      advance_stress(run, part);
+      this->evaluate_state(run);
+    });
+  }
+
+  void advance_stress(const Run& run, double dt) const {
+    materials_.advance_strength(run, dt, Field::density);
+    materials_.advance_damage(run, dt);
+  }
+
+  /// Strang: the second half of the deviatoric step, its parts in the opposite order.
+  void finish_symmetrically(double part) {
+    this->search();
+    assemble_deviatoric();
+    {
+      const auto scope = profile_.time("deviatoric pairs");
+      this->with_smoothing([&](const auto& smoothing) {
+        for_each_pair(neighbourhood_.pairs(),
+                      VelocityGradient<Kernel, std::decay_t<decltype(smoothing)>, D>{
+                          deviatoric_.data(), smoothing, particles_.template tensors<D>(Field::velocity_gradient)});
+      });
+    }
+    materials_.for_each_run([&](const Run& run) {
+      advance_stress(run, part);
+      materials_.release(run, Field::deviatoric_stress, Field::pressure);
+    });
+    kick_by_deviator(part, false);
+    this->kick_by_contact(part);
+    this->evaluate_state();
+    this->place_records();
+  }
+
+  GodunovSettings godunov_;
+  std::map<const Material*, double> shock_slope_;
+  std::vector<DeviatoricRecord<D>> deviatoric_;
+};
+
+}  // namespace tektite

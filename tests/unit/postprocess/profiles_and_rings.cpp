@@ -1,0 +1,95 @@
+// Measures of a ring, and the error of a profile, on states made by hand.
+#include <catch2/catch.hpp>
+#include <numbers>
+
+#include "postprocess/measure/measure.hpp"
+#include "support/fault.hpp"
+#include "support/temporary_folder.hpp"
+#include "unit/postprocess/synthetic.hpp"
+
+using namespace tektite;
+
+namespace {
+
+/// A ring of 10 to 14 mm that has shrunk so that every circle keeps its area to the inner surface, and is drawn out to
+/// an ellipse of this axis ratio.
+std::vector<test::Placed> ring(double inner, double ratio) {
+  std::vector<test::Placed> placed;
+  for (int circle = 0; circle < 4; ++circle) {
+    const double start = 10e-3 + (circle + 0.5) * test::spacing;
+    const double r = std::sqrt(start * start - 100e-6 + inner * inner);
+    const int count = 60 + 6 * circle;
+    for (int k = 0; k < count; ++k) {
+      const double angle = 2.0 * std::numbers::pi * k / count;
+      placed.push_back({"ring", {r * ratio * std::cos(angle), r * std::sin(angle), 0.0}, {0.0, 0.0, 0.0}});
+    }
+  }
+  return placed;
+}
+
+const std::string ring_scene =
+    "name = 'ring'\nspace = 'plane-strain'\n[body.ring]\nmaterial = 'aluminium'\n[measure.inner_radius]\nbody = "
+    "'ring'\n[measure.outer_radius]\nbody = 'ring'\n[measure.symmetry_error]\nbody = 'ring'\n[measure.early]\ntype = "
+    "'inner_radius'\nbody = 'ring'\ntime = 4e-5\n";
+
+std::map<std::string, Measured> measured(const std::string& scene, const Declared& declared, const Event& event) {
+  auto document = Document::parse(scene, "scene.toml");
+  auto root = document.root();
+  std::map<std::string, Measured> values;
+  for (const auto& measure : read_measures(root, declared)) values[measure.name] = measure.measure(event);
+  return values;
+}
+
+}  // namespace
+
+TEST_CASE("Rings: the radii are those of the surfaces, at the end or at a time") {
+  const test::TemporaryFolder folder;
+  Event event;
+  const auto save = [&](double inner, double time) {
+    const auto snapshot = test::snapshot_of(Space::plane_strain, ring(inner, 1.0), time, ring_scene, test::as_it_is);
+    event.snapshots.push_back(folder.file(fmt::format("{}.h5", event.snapshots.size())));
+    write_snapshot(snapshot, event.snapshots.back());
+    return make_whole(snapshot, {});
+  };
+  event.initial = save(10e-3, 0.0);
+  save(8e-3, 3.9e-5);
+  event.last = save(5e-3, 8e-5);
+  const auto values = measured(ring_scene, {Space::plane_strain, {"ring"}, {}}, event);
+  CHECK(values.at("inner_radius").value == Approx(5e-3).epsilon(1e-12));
+  CHECK(values.at("outer_radius").value == Approx(std::sqrt(196e-6 - 75e-6)).epsilon(1e-12));
+  CHECK(values.at("symmetry_error").value == Approx(0.0).margin(1e-12));
+  CHECK(values.at("early").value == Approx(8e-3).epsilon(1e-12));
+  CHECK(values.at("early").time == 3.9e-5);
+}
+
+TEST_CASE("Rings: the symmetry error is the spread of the innermost particles' radii") {
+  Event event;
+  event.initial =
+      make_whole(test::snapshot_of(Space::plane_strain, ring(10e-3, 1.0), 0.0, ring_scene, test::as_it_is), {});
+  event.last = make_whole(
+      test::snapshot_of(Space::plane_strain, ring(10e-3, 1.02), 1e-5, ring_scene, test::turned_by_30_degrees), {});
+  const std::string scene = "[measure.symmetry_error]\nbody = 'ring'\n";
+  const auto values = measured(scene, {Space::plane_strain, {"ring"}, {}}, event);
+  CHECK(values.at("symmetry_error").value == Approx(0.02 / 1.01).epsilon(0.01));  // the mean radius of the ellipse
+}
+
+TEST_CASE("Rings: a line has none") {
+  auto document = Document::parse("[measure.inner_radius]\nbody = 'bar'\n", "scene.toml");
+  auto root = document.root();
+  CHECK_THAT(test::fault_of([&] { read_measures(root, {Space::line, {"bar"}, {}}); }), Catch::Contains("plane"));
+}
+
+TEST_CASE("Profiles: the error is the mean difference over the range of the exact solution") {
+  std::vector<test::Placed> placed;
+  for (int k = 0; k < 10; ++k)
+    placed.push_back({"bar", {(k + 0.5) * test::spacing, 0.0, 0.0}, {k < 6 ? 40.0 : 0.0, 0.0, 0.0}});
+  Event event;
+  event.last_snapshot = test::snapshot_of(Space::line, placed, 1e-6, "name = 'bar'\nspace = 'line'\n", test::as_it_is);
+  event.last = make_whole(event.last_snapshot, {});
+  const std::string scene = "[measure.error_l1]\nprofile = 'velocity'\nexact = [[0, 40], [4e-3, 20], [5e-3, 0]]\n";
+  const auto values = measured(scene, {Space::line, {"bar"}, {}}, event);
+  // One particle of ten is wrong by 20, one by 40, of a range of 40.
+  CHECK(values.at("error_l1").value == Approx(0.1 * (20.0 + 40.0) / 40.0));
+  // Moving both waves by half a spacing of ten changes 0.05 · (20 + 20) of 40.
+  CHECK(values.at("error_l1").uncertainty == Approx(0.05));
+}
