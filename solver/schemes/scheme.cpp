@@ -5,6 +5,7 @@
 #include <array>
 
 #include "schemes/eulerian.hpp"
+#include "schemes/msph.hpp"
 #include "schemes/total_lagrangian.hpp"
 
 namespace tektite {
@@ -15,10 +16,26 @@ struct RegisteredScheme {
   std::unique_ptr<Scheme> (*make)(const SchemeSetup&);
 };
 
-constexpr std::array<RegisteredScheme, 2> schemes{{
+constexpr std::array<RegisteredScheme, 4> schemes{{
     {"eulerian", make_eulerian},
     {"total-lagrangian", make_total_lagrangian},
+    {"msph", make_msph},
+    {"ssph", make_ssph},
 }};
+
+/// [anvil]: axis, at and keep as of a symmetry plane.
+std::optional<SymmetryPlane> read_anvil(Section& root, const Scene& scene, bool supported) {
+  if (!root.has("anvil")) return std::nullopt;
+  auto section = root.section("anvil");
+  if (!supported) throw section.fault("", "the scheme knows no anvil", "the scheme msph or ssph");
+  const int axis = axis_named(section, "axis", scene.space);
+  if (axis == 0 && hoops_of(scene.space) > 0) throw section.fault("axis", "an anvil lies across the axis", "y");
+  const double at = section.quantity("at", dimension::length, limits::any, 0.0);
+  const std::array<std::string, 2> sides{"above", "below"};
+  const double side = section.choice("keep", sides, "above") == "above" ? 1.0 : -1.0;
+  section.finish();
+  return SymmetryPlane{axis, at, side};
+}
 
 }  // namespace
 
@@ -32,7 +49,9 @@ SchemeSettings read_scheme(Section& root, const Scene& scene) {
   SchemeSettings settings;
   auto section = root.section_or_empty("scheme");
   settings.type = section.choice("type", scheme_names(), "eulerian");
-  settings.courant = section.quantity("courant", dimension::none, {0.0, 1.0, true}, 0.25);
+  const bool strong = settings.type == "msph" || settings.type == "ssph";
+  settings.courant = section.quantity("courant", dimension::none, {0.0, 1.0, true}, strong ? 0.2 : 0.25);
+  if (strong) settings.smoothing_share = section.quantity("smoothing_share", dimension::none, {0.0, 0.5}, 0.3);
   const bool lagrangian = settings.type == "total-lagrangian";
   const std::vector<std::string> corrections =
       lagrangian ? std::vector<std::string>{"mixed", "none"} : std::vector<std::string>{"none"};
@@ -46,6 +65,7 @@ SchemeSettings read_scheme(Section& root, const Scene& scene) {
   viscosity.choice("model", names, names.front());
   settings.viscosity = Family<Viscosity>::read(viscosity);
   settings.contact = read_contact(root);
+  settings.anvil = read_anvil(root, scene, strong);
   return settings;
 }
 

@@ -24,6 +24,8 @@ struct SchemeSettings {
   Viscosity viscosity;
   bool corrected = false;  ///< mixed kernel-and-gradient correction
   std::optional<ContactSettings> contact;
+  double smoothing_share = 0.0;  ///< α_cs of the conservative smoothing
+  std::optional<SymmetryPlane> anvil;  ///< a rigid smooth wall, msph and ssph only
 };
 
 /// Everything that a scheme is built from. The particles outlive the scheme.
@@ -66,6 +68,8 @@ class Scheme {
   virtual bool in_contact() const = 0;
   /// What a user should know about how it started; may be empty.
   virtual std::string remark() const { return {}; }
+  /// What a user should know when it ends; may be empty.
+  virtual std::string closing_remark() const { return {}; }
   /// Bytes that the scheme holds beside the fields.
   virtual std::size_t memory() const = 0;
 };
