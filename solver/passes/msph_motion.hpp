@@ -47,6 +47,7 @@ template <int D>
 struct MsphApplySmoothing {
   const Vector<double, D>* change;
   const double* heat;
+  const double* exchange;
   const std::uint8_t* held;
   int wall;
   Vector<double, D>* velocity;
@@ -58,7 +59,7 @@ struct MsphApplySmoothing {
     if (held[i]) dv[wall] = 0.0;
     velocity[i] += dv;
     const double heating = heat[i] - 0.5 * dot(dv, dv);
-    energy[i] += heating;
+    energy[i] += heating + exchange[i];
     viscous_work[i] += heating;
   }
 };

@@ -49,8 +49,9 @@ struct MsphGather {
 };
 
 /// B of Batra and Zhang (2008), eq. 2.3-2.4, inverted; the sum Σ m_j w_ij that conservative smoothing is normalised
-/// with; and the mean place of the neighbours, in h, by which surfaces are found.
-template <class Weights, class Kernel, int D>
+/// with; and the mean place of the neighbours, in h, by which surfaces are found: weighted by their volume, or by the
+/// section of their ring or shell, so that compression does not look like a surface.
+template <class Weights, class Kernel, int D, int hoops>
 struct MsphMoments {
   static constexpr int N = taylor_terms<D>;
   MsphGather<D> gather;
@@ -77,8 +78,18 @@ struct MsphMoments {
     }
     const Pack w = select(p.volume > Pack(0.0), Kernel::shape(sqrt(p.distance_squared)), Pack(0.0));
     sums.mass += w * p.volume * gather.read(j, [](const auto& r) { return r.density; });
-    sums.weight += w;
-    for (int k = 0; k < D; ++k) sums.place[k] += w * p.xi[k];
+    const Pack section = w * p.volume * section_part(gather.read(j, [](const auto& r) { return r.x[0]; }), a.over_h);
+    sums.weight += section;
+    for (int k = 0; k < D; ++k) sums.place[k] += section * p.xi[k];
+  }
+
+  /// Section over volume, without the factor π. A particle on the axis has its mass at a quarter of the spacing, which
+  /// is taken for h/6.
+  static Pack section_part(const Pack& x, const Pack& over_h) {
+    Pack part = 1.0;
+    const Pack radius = larger(larger(x, -x), Pack(1.0 / 6.0) / over_h);
+    for (int k = 0; k < hoops; ++k) part /= radius;
+    return part;
   }
 
   void end(std::size_t i, const Sums& sums) const {
@@ -90,7 +101,9 @@ struct MsphMoments {
     for (int k = 0; k < N; ++k) b(k, 0) += own[k];
     coefficients[i] = invert_moments<D>(b);
     kernel_mass[i] = sum(sums.mass) + Kernel::shape(0.0) * r.volume * r.density;
-    for (int k = 0; k < D; ++k) lopsidedness[i][k] = sum(sums.place[k]) / (sum(sums.weight) + Kernel::shape(0.0));
+    const double own_section =
+        Kernel::shape(0.0) * r.volume * section_part(Pack(r.x[0]), Pack(1.0 / r.smoothing_length))[0];
+    for (int k = 0; k < D; ++k) lopsidedness[i][k] = sum(sums.place[k]) / (sum(sums.weight) + own_section);
   }
 };
 
@@ -178,19 +191,23 @@ struct MsphVelocity {
 /// Conservative smoothing of the velocity, eq. 3.23, with weights that are the same for both of a pair: m_j w_ij times
 /// the mean of 1/Σ m w of both. So momentum is kept, and what the smoothing takes of the kinetic energy,
 ///   ½ α_cs Σ_j p_ij |v_j - v_i|² - ½ |Δv_i|²,
-/// becomes heat: without it no shock could heat anything, because eq. 4.3 leaves e = 0 at zero.
+/// becomes heat: without it no shock could heat anything, because eq. 4.3 leaves e = 0 at zero. The energy is smoothed by
+/// the same weights, which keep its sum.
 template <class Kernel, int D>
 struct SmoothVelocity {
   MsphGather<D> gather;
   const double* kernel_mass;  ///< of images too
   double share;               ///< α_cs
+  const double* energy;       ///< J/kg, of images too
   Vector<double, D>* change;  ///< m/s
   double* heat;               ///< J/kg, before the change's own part is taken off
+  double* exchange;           ///< energy from the neighbours, J/kg
 
   using Self = MsphSelf<D>;
   struct Sums {
     Vector<Pack, D> v = Vector<Pack, D>::zero();
     Pack square = 0.0;
+    Pack energy = 0.0;
   };
   Self begin(std::size_t i) const { return gather.self(i); }
   void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
@@ -207,10 +224,13 @@ struct SmoothVelocity {
       sums.v[k] += weight * dv[k];
     }
     sums.square += weight * dot(dv, dv);
+    const Pack e([&](auto lane) { return energy[j[static_cast<std::size_t>(lane)]]; });
+    sums.energy += weight * (e - Pack(energy[a.i]));
   }
   void end(std::size_t i, const Sums& sums) const {
     for (int k = 0; k < D; ++k) change[i][k] = share * sum(sums.v[k]);
     heat[i] = 0.5 * share * sum(sums.square);
+    exchange[i] = share * sum(sums.energy);
   }
 };
 

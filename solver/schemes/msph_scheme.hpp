@@ -94,7 +94,9 @@ class MsphScheme final : public Scheme {
     return neighbourhood_.memory() + records_.capacity() * sizeof(EulerianRecord<D>) +
            coefficients_.capacity() * sizeof(MsphCoefficients<D>) +
            (lopsidedness_.capacity() + divergence_.capacity() + fitted_.capacity()) * sizeof(Vector<double, D>) +
-           (kernel_mass_.capacity() + radial_part_.capacity() + heat_.capacity() + densities_.capacity()) * 8;
+           (kernel_mass_.capacity() + radial_part_.capacity() + heat_.capacity() + exchange_.capacity() +
+            energies_.capacity() + densities_.capacity() + smoothed_.capacity()) *
+               sizeof(double);
   }
 
  private:
@@ -112,7 +114,7 @@ class MsphScheme final : public Scheme {
     materials_.allocate_scratch();
     const auto count = particles_.count();
     coefficients_.resize(count);
-    for (auto* column : {&radial_part_, &heat_, &smoothed_}) column->resize(count);
+    for (auto* column : {&radial_part_, &heat_, &exchange_, &smoothed_}) column->resize(count);
     for (auto* column : {&lopsidedness_, &divergence_, &fitted_}) column->resize(count);
     held_.resize(count);
   }
@@ -145,7 +147,7 @@ class MsphScheme final : public Scheme {
     auto& p = particles_;
     kernel_mass_.resize(p.count());
     for_each_pair(neighbourhood_.pairs(),
-                  MsphMoments<Weights, Kernel, D>{gather(), coefficients_.data(), kernel_mass_.data(),
+                  MsphMoments<Weights, Kernel, D, hoops>{gather(), coefficients_.data(), kernel_mass_.data(),
                                                   lopsidedness_.data()});
     neighbourhood_.mirror().repeat(kernel_mass_);
     using Counts = std::pair<double, double>;
@@ -189,11 +191,14 @@ class MsphScheme final : public Scheme {
   void smooth_velocity() {
     const auto scope = profile_.time("smoothing");
     auto& p = particles_;
+    const auto energy = p.reals(Field::specific_internal_energy);
+    energies_.assign(energy.begin(), energy.end());
+    neighbourhood_.mirror().repeat(energies_);
     for_each_pair(neighbourhood_.pairs(),
-                  SmoothVelocity<Kernel, D>{gather(), kernel_mass_.data(), settings_.smoothing_share,
-                                            divergence_.data(), heat_.data()});
+                  SmoothVelocity<Kernel, D>{gather(), kernel_mass_.data(), settings_.smoothing_share, energies_.data(),
+                                            divergence_.data(), heat_.data(), exchange_.data()});
     neighbourhood_.mirror().hold(divergence_.data());
-    run_all(MsphApplySmoothing<D>{divergence_.data(), heat_.data(), held_.data(), anvil_.axis(),
+    run_all(MsphApplySmoothing<D>{divergence_.data(), heat_.data(), exchange_.data(), held_.data(), anvil_.axis(),
                                   p.template vectors<D>(Field::velocity), p.scalars(Field::specific_internal_energy),
                                   p.scalars(Field::viscous_work)});
     show_velocities();
@@ -261,7 +266,7 @@ class MsphScheme final : public Scheme {
   std::pair<double, double> lower_order_{0.0, 0.0};  ///< particle steps by first and by zeroth order
   std::vector<EulerianRecord<D>> records_;
   std::vector<MsphCoefficients<D>> coefficients_;
-  std::vector<double> kernel_mass_, radial_part_, heat_, densities_, smoothed_;
+  std::vector<double> kernel_mass_, radial_part_, heat_, exchange_, energies_, densities_, smoothed_;
   std::vector<Vector<double, D>> lopsidedness_, divergence_, fitted_;
   std::vector<std::uint8_t> held_;
 };

@@ -19,7 +19,10 @@ constexpr int steps = 40;  // several neighbour lists long
 std::vector<std::string> scenes(Space space) {
   const std::string contact = "contact.model = 'kernel-penalty'\n";
   std::vector<std::string> all{test::impact_scene, contact + test::impact_scene};
-  if (space != Space::plane_stress) all.push_back(contact + "scheme.type = 'total-lagrangian'\n" + test::impact_scene);
+  if (space != Space::plane_stress) {
+    all.push_back(contact + "scheme.type = 'total-lagrangian'\n" + test::impact_scene);
+    all.push_back("scheme.type = 'msph'\nsmoothing.kernel = 'truncated-gaussian'\n" + test::impact_scene);
+  }
   return all;
 }
 
@@ -108,4 +111,28 @@ TEST_CASE("Restart: half a model with a symmetry plane goes on as if unbroken", 
   Simulation resumed(std::move(snapshot), std::move(settings), true);
   test::take_steps(resumed, steps);
   check_same(unbroken, resumed);
+}
+
+TEST_CASE("Restart: an axisymmetric bar on an anvil goes on as if unbroken, on any number of threads", "[restart]") {
+  const std::string scene =
+      "scheme.type = 'msph'\nsmoothing.kernel = 'truncated-gaussian'\nanvil.axis = 'y'\n" + test::impact_scene;
+  const auto bar = [] {
+    auto p = test::particles_on(
+        Space::axisymmetric, {{"bar", "plate", test::impact_spacing, {0.0, 0.0}, {12, 60}, {0.0, -400.0}}}, 2785.0);
+    for (std::size_t i = 0; i < p.count(); ++i)
+      p.scalars(Field::mass)[i] *= std::max(p.reals(Field::position)[2 * i], 0.125 * test::impact_spacing);
+    return p;
+  };
+  auto unbroken = test::simulation_of(scene, bar());
+  take_steps_on(1, unbroken, 3 * steps);
+  const test::TemporaryFolder folder;
+  write_snapshot(unbroken.save({}), folder.file("middle.h5"));
+  take_steps_on(1, unbroken, 3 * steps);
+  auto snapshot = read_snapshot(folder.file("middle.h5"));
+  auto document = Document::parse(snapshot.scene, "middle.h5");
+  auto settings = read_run_settings(document);
+  Simulation resumed(std::move(snapshot), std::move(settings), true);
+  take_steps_on(3, resumed, 3 * steps);
+  check_same(unbroken, resumed);
+  CHECK(std::ranges::max(unbroken.particles().reals(Field::plastic_strain)) > 0.01);
 }

@@ -49,7 +49,7 @@ std::vector<MsphCoefficients<D>> coefficients_of(const std::vector<EulerianRecor
   std::vector<MsphCoefficients<D>> coefficients(records.size());
   std::vector<double> mass(records.size());
   std::vector<Vector<double, D>> lopsidedness(records.size());
-  for_each_pair(pairs, MsphMoments<Weights, Kernel, D>{{records.data()}, coefficients.data(), mass.data(),
+  for_each_pair(pairs, MsphMoments<Weights, Kernel, D, 0>{{records.data()}, coefficients.data(), mass.data(),
                                                        lopsidedness.data()});
   return coefficients;
 }
