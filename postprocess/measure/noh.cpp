@@ -3,8 +3,7 @@
 //   ρ = ρ0 ((γ + 1)/(γ - 1))^d,  u = 0,  e = u0²/2,  p = (γ - 1) ρ e,
 // and ahead of it ρ = ρ0 (1 + u0 t/r)^(d - 1), u = -u0, e = p = 0.
 
-#include <fmt/format.h>
-
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
