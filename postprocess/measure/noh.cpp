@@ -1,5 +1,5 @@
-// A run against the exact solution of Noh's problem (1987): cold gas of density ρ0 that runs together at speed u0 onto a
-// wall, an axis or a centre (d = 1, 2, 3). Behind the shock, which runs out at u0 (γ - 1)/2,
+// A run against the exact solution of Noh's problem (1987): cold gas of density ρ0 that runs together at speed u0 onto
+// a wall, an axis or a centre (d = 1, 2, 3). Behind the shock, which runs out at u0 (γ - 1)/2,
 //   ρ = ρ0 ((γ + 1)/(γ - 1))^d,  u = 0,  e = u0²/2,  p = (γ - 1) ρ e,
 // and ahead of it ρ = ρ0 (1 + u0 t/r)^(d - 1), u = -u0, e = p = 0.
 

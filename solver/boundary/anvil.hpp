@@ -20,7 +20,9 @@ class Anvil {
   bool holds(const Vector<double, D>& x, double normal_stress) const {
     return plane_ && touches(x) && normal_stress <= 0.0;
   }
-  bool touches(const Vector<double, D>& x) const { return plane_ && plane_->side * (x[plane_->axis] - plane_->at) <= 0.0; }
+  bool touches(const Vector<double, D>& x) const {
+    return plane_ && plane_->side * (x[plane_->axis] - plane_->at) <= 0.0;
+  }
 
   /// Brings a place back to the wall where it has passed it.
   void keep_out(Vector<double, D>& x) const {

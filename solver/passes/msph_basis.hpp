@@ -70,8 +70,8 @@ struct MsphCoefficients {
   int order = 2;  ///< of the expansion that B could be inverted for
 };
 
-/// B may be inverted below this condition number (in the 1-norm). Inside a lattice it is 3, on the corner of a disordered
-/// one with h = 1.5 spacings 1e3; a hundred times that is a neighbourhood that has lost its shape.
+/// B may be inverted below this condition number (in the 1-norm). Inside a lattice it is 3, on the corner of a
+/// disordered one with h = 1.5 spacings 1e3; a hundred times that is a neighbourhood that has lost its shape.
 inline constexpr double largest_condition = 1e5;
 
 /// Inverts B by the highest order whose block is well conditioned: 2, 1 or, where a particle is alone, 0.

@@ -33,7 +33,8 @@ struct MsphKick {
       const double radius = r.x[0];
       const double across = deviatoric_stress[i].c[D == 1 ? 1 : 2] - pressure[i];
       if (radius > 0.0) force[0] += hoops * (r.stress[0] - across) / radius;
-      if constexpr (D == 2) force[1] += radius > 0.0 ? r.stress[EulerianRecord<D>::index(0, 1)] / radius : radial_part[i];
+      if constexpr (D == 2)
+        force[1] += radius > 0.0 ? r.stress[EulerianRecord<D>::index(0, 1)] / radius : radial_part[i];
     }
     acceleration[i] = (1.0 / r.density) * force;
     if (held[i]) acceleration[i][wall] = 0.0;

@@ -126,7 +126,8 @@ struct MsphShape {
   }
 };
 
-/// ∂σ_ab/∂x_b within the space, and of it the part ∂σ_a0/∂x_0 of the last coordinate a, for the limit on the axis; Pa/m.
+/// ∂σ_ab/∂x_b within the space, and of it the part ∂σ_a0/∂x_0 of the last coordinate a, for the limit on the axis;
+/// Pa/m.
 template <class Weights, int D>
 struct MsphDivergence {
   MsphGather<D> gather;
@@ -146,7 +147,8 @@ struct MsphDivergence {
     for (int r = 0; r < D; ++r)
       for (int c = 0; c < D; ++c) {
         const int k = EulerianRecord<D>::index(r, c);
-        const Pack part = psi.slope[c] * (gather.read(j, [k](const auto& q) { return q.stress[k]; }) - Pack(own.stress[k]));
+        const Pack part =
+            psi.slope[c] * (gather.read(j, [k](const auto& q) { return q.stress[k]; }) - Pack(own.stress[k]));
         sums.d[r] += part;
         if (r == D - 1 && c == 0) sums.radial += part;
       }
@@ -191,8 +193,8 @@ struct MsphVelocity {
 /// Conservative smoothing of the velocity, eq. 3.23, with weights that are the same for both of a pair: m_j w_ij times
 /// the mean of 1/Σ m w of both. So momentum is kept, and what the smoothing takes of the kinetic energy,
 ///   ½ α_cs Σ_j p_ij |v_j - v_i|² - ½ |Δv_i|²,
-/// becomes heat: without it no shock could heat anything, because eq. 4.3 leaves e = 0 at zero. The energy is smoothed by
-/// the same weights, which keep its sum.
+/// becomes heat: without it no shock could heat anything, because eq. 4.3 leaves e = 0 at zero. The energy is smoothed
+/// by the same weights, which keep its sum.
 template <class Kernel, int D>
 struct SmoothVelocity {
   MsphGather<D> gather;

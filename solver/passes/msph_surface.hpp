@@ -8,8 +8,8 @@
 namespace tektite {
 
 /// Free surfaces of a body, found anew in every step: a particle whose neighbours' mean place is off its own by more
-/// than `surface_offset` smoothing lengths has none on one side. On a square lattice with h = 1.5 spacings a particle on
-/// a flat surface is off by 0.35 h, one in the second layer by 0.09 h, and none inside.
+/// than `surface_offset` smoothing lengths has none on one side. On a square lattice with h = 1.5 spacings a particle
+/// on a flat surface is off by 0.35 h, one in the second layer by 0.09 h, and none inside.
 inline constexpr double surface_offset = 0.2;
 
 /// The stress that the sums see: free of traction on a free surface (Batra and Zhang 2008, section 4.2: turned to the

@@ -17,7 +17,8 @@ void check_support(const SchemeSetup& setup) {
   const bool radial_line = setup.particles.dimensions() == 1 && hoops_of(setup.particles.space()) > 0;
   for (const auto& body : setup.particles.bodies()) {
     const auto& material = setup.materials.at(body.material);
-    if (!std::holds_alternative<NoDamage>(material.damage)) refuse(setup, "material." + material.name + ".damage", {}, "none");
+    if (!std::holds_alternative<NoDamage>(material.damage))
+      refuse(setup, "material." + material.name + ".damage", {}, "none");
     if (radial_line && !std::holds_alternative<NoStrength>(material.strength))
       refuse(setup, "material." + material.name + ".strength", {}, "none in a cylindrical or spherical space");
   }

@@ -76,8 +76,7 @@ class MsphScheme final : public Scheme {
     const MsphStepLimit<D> pass{settings_.courant, p.scalars(Field::smoothing_length), p.scalars(Field::wave_speed),
                                 p.scalars(Field::density), p.template vectors<D>(Field::velocity)};
     using Least = typename TimeStepLimit<D>::Least;
-    const auto least =
-        reduce(p.count(), Least{std::numeric_limits<double>::infinity()}, pass, TimeStepLimit<D>::join);
+    const auto least = reduce(p.count(), Least{std::numeric_limits<double>::infinity()}, pass, TimeStepLimit<D>::join);
     return {least.dt, least.reason, least.particle};
   }
   Ledger ledger() override { return ledger_of<D>(particles_, 0.0); }
@@ -86,9 +85,10 @@ class MsphScheme final : public Scheme {
   }
   std::string closing_remark() const override {
     if (lower_order_.first + lower_order_.second == 0.0) return {};
-    return fmt::format("the matrix B was ill-conditioned and answered by lower order: first order in {:.0f} and zeroth "
-                       "in {:.0f} particle steps",
-                       lower_order_.first, lower_order_.second);
+    return fmt::format(
+        "the matrix B was ill-conditioned and answered by lower order: first order in {:.0f} and zeroth "
+        "in {:.0f} particle steps",
+        lower_order_.first, lower_order_.second);
   }
   std::size_t memory() const override {
     return neighbourhood_.memory() + records_.capacity() * sizeof(EulerianRecord<D>) +
@@ -108,8 +108,8 @@ class MsphScheme final : public Scheme {
   }
 
   void allocate_scratch() {
-    for (const auto field : {Field::half_density, Field::half_energy, Field::half_pressure, Field::half_sound_speed,
-                             Field::across_rate})
+    for (const auto field :
+         {Field::half_density, Field::half_energy, Field::half_pressure, Field::half_sound_speed, Field::across_rate})
       particles_.allocate(field);
     materials_.allocate_scratch();
     const auto count = particles_.count();
@@ -126,17 +126,16 @@ class MsphScheme final : public Scheme {
     const auto scope = profile_.time("assemble");
     auto& p = particles_;
     records_.resize(p.count() + neighbourhood_.mirror().images());
-    for_each(p.count(), [&, x = p.template vectors<D>(Field::position), v = p.template vectors<D>(Field::velocity)](
-                            std::size_t i) {
+    for_each(p.count(), [&, x = p.template vectors<D>(Field::position),
+                         v = p.template vectors<D>(Field::velocity)](std::size_t i) {
       records_[i].x = x[i];
       records_[i].v = v[i];
     });
     materials_.for_each_run([&](const Run& run) {
-      run_through(run.range, AssembleRecords<D, false>{p.scalars(Field::mass), p.scalars(Field::density),
-                                                       p.scalars(Field::pressure), p.scalars(Field::sound_speed),
-                                                       p.template symmetrics<D>(Field::deviatoric_stress), nullptr,
-                                                       nullptr, 0.0, p.scalars(Field::smoothing_length),
-                                                       records_.data()});
+      run_through(run.range, AssembleRecords<D, false>{
+                                 p.scalars(Field::mass), p.scalars(Field::density), p.scalars(Field::pressure),
+                                 p.scalars(Field::sound_speed), p.template symmetrics<D>(Field::deviatoric_stress),
+                                 nullptr, nullptr, 0.0, p.scalars(Field::smoothing_length), records_.data()});
     });
     neighbourhood_.mirror().fill(records_, p.count());
   }
@@ -148,7 +147,7 @@ class MsphScheme final : public Scheme {
     kernel_mass_.resize(p.count());
     for_each_pair(neighbourhood_.pairs(),
                   MsphMoments<Weights, Kernel, D, hoops>{gather(), coefficients_.data(), kernel_mass_.data(),
-                                                  lopsidedness_.data()});
+                                                         lopsidedness_.data()});
     neighbourhood_.mirror().repeat(kernel_mass_);
     using Counts = std::pair<double, double>;
     const auto lower = reduce(
@@ -171,8 +170,8 @@ class MsphScheme final : public Scheme {
   void kick(double dt) {
     const auto scope = profile_.time("forces");
     auto& p = particles_;
-    for_each_pair(neighbourhood_.pairs(), MsphDivergence<Weights, D>{gather(), coefficients_.data(),
-                                                                     divergence_.data(), radial_part_.data()});
+    for_each_pair(neighbourhood_.pairs(),
+                  MsphDivergence<Weights, D>{gather(), coefficients_.data(), divergence_.data(), radial_part_.data()});
     auto* v = p.template vectors<D>(Field::velocity);
     run_all(MsphKick<D, hoops>{records_.data(), p.template symmetrics<D>(Field::deviatoric_stress),
                                p.scalars(Field::pressure), divergence_.data(), radial_part_.data(), held_.data(),
@@ -218,19 +217,25 @@ class MsphScheme final : public Scheme {
   void advance(double dt) {
     const auto scope = profile_.time("advance");
     auto& p = particles_;
-    const MsphMiddle<D, hoops> middle{records_.data(), fitted_.data(),
-                                      p.template symmetrics<D>(Field::deviatoric_stress), p.scalars(Field::pressure),
-                                      p.scalars(Field::density), p.scalars(Field::specific_internal_energy), dt,
-                                      p.template tensors<D>(Field::velocity_gradient), p.scalars(Field::across_rate),
-                                      p.scalars(Field::half_density), p.scalars(Field::half_energy)};
+    const MsphMiddle<D, hoops> middle{records_.data(),
+                                      fitted_.data(),
+                                      p.template symmetrics<D>(Field::deviatoric_stress),
+                                      p.scalars(Field::pressure),
+                                      p.scalars(Field::density),
+                                      p.scalars(Field::specific_internal_energy),
+                                      dt,
+                                      p.template tensors<D>(Field::velocity_gradient),
+                                      p.scalars(Field::across_rate),
+                                      p.scalars(Field::half_density),
+                                      p.scalars(Field::half_energy)};
     materials_.for_each_run([&](const Run& run) {
       run_through(run.range, middle);
       materials_.evaluate_eos(run, Field::half_density, Field::half_energy, Field::half_pressure,
                               Field::half_sound_speed);
-      run_through(run.range, MsphAdvance<D, hoops>{middle, p.scalars(Field::half_pressure), anvil_,
-                                                   p.template vectors<D>(Field::position),
-                                                   p.template vectors<D>(Field::velocity), p.scalars(Field::density),
-                                                   p.scalars(Field::specific_internal_energy)});
+      run_through(run.range,
+                  MsphAdvance<D, hoops>{middle, p.scalars(Field::half_pressure), anvil_,
+                                        p.template vectors<D>(Field::position), p.template vectors<D>(Field::velocity),
+                                        p.scalars(Field::density), p.scalars(Field::specific_internal_energy)});
       materials_.advance_strength(run, dt);
     });
     smooth_density();
@@ -241,8 +246,8 @@ class MsphScheme final : public Scheme {
     const auto density = particles_.reals(Field::density);
     densities_.assign(density.begin(), density.end());
     neighbourhood_.mirror().repeat(densities_);
-    for_each_pair(neighbourhood_.pairs(), SmoothDensity<Kernel, D>{gather(), densities_.data(),
-                                                                   settings_.smoothing_share, smoothed_.data()});
+    for_each_pair(neighbourhood_.pairs(),
+                  SmoothDensity<Kernel, D>{gather(), densities_.data(), settings_.smoothing_share, smoothed_.data()});
     std::ranges::copy(smoothed_, density.begin());
   }
 

@@ -24,7 +24,7 @@ struct SchemeSettings {
   Viscosity viscosity;
   bool corrected = false;  ///< mixed kernel-and-gradient correction
   std::optional<ContactSettings> contact;
-  double smoothing_share = 0.0;  ///< α_cs of the conservative smoothing
+  double smoothing_share = 0.0;        ///< α_cs of the conservative smoothing
   std::optional<SymmetryPlane> anvil;  ///< a rigid smooth wall, msph and ssph only
 };
 

@@ -23,12 +23,11 @@ std::unique_ptr<Scheme> make_total_lagrangian(const SchemeSetup& setup) {
     case Space::axisymmetric:
       break;
   }
-  throw InputError(
-      {{},
-       "space",
-       std::string(name_of(setup.particles.space())),
-       "the scheme total-lagrangian does not support it",
-       "line, plane-strain, solid"});
+  throw InputError({{},
+                    "space",
+                    std::string(name_of(setup.particles.space())),
+                    "the scheme total-lagrangian does not support it",
+                    "line, plane-strain, solid"});
 }
 
 }  // namespace tektite

@@ -1,4 +1,5 @@
-// The axis of an axisymmetric space: what does not know of it does not see it, and the steady axis of a bar stays sound.
+// The axis of an axisymmetric space: what does not know of it does not see it, and the steady axis of a bar stays
+// sound.
 #include <catch2/catch.hpp>
 
 #include "support/lattice.hpp"
@@ -15,9 +16,9 @@ const std::string steel =
 
 /// A rod from the axis to its mantle, particles on both, with ring masses.
 Particles rod(double offset) {
-  auto p = test::particles_on(
-      Space::axisymmetric, {{"rod", "steel", spacing, {offset * spacing, 0.0}, {10, 30}, {0.0, 0.0}, nullptr, 1.5}},
-      density);
+  auto p = test::particles_on(Space::axisymmetric,
+                              {{"rod", "steel", spacing, {offset * spacing, 0.0}, {10, 30}, {0.0, 0.0}, nullptr, 1.5}},
+                              density);
   for (std::size_t i = 0; i < p.count(); ++i)
     p.scalars(Field::mass)[i] *= 2.0 * M_PI * std::max(p.reals(Field::position)[2 * i], 0.125 * spacing);
   return p;
@@ -52,7 +53,8 @@ TEST_CASE("Axis: a linear motion is uniform up to the axis and the mantle", "[ms
 TEST_CASE("Axis: a stretched rod vibrates as one, with no mark of the axis", "[msph][axis]") {
   auto p = rod(0.0);
   for (std::size_t i = 0; i < p.count(); ++i)
-    p.reals(Field::velocity)[2 * i + 1] = -2.0 * std::sin(M_PI * p.reals(Field::position)[2 * i + 1] / (29.0 * spacing) - M_PI / 2.0);
+    p.reals(Field::velocity)[2 * i + 1] =
+        -2.0 * std::sin(M_PI * p.reals(Field::position)[2 * i + 1] / (29.0 * spacing) - M_PI / 2.0);
   auto simulation = test::simulation_of("time.end = '1 s'\nscheme.type = 'msph'\n" + steel, std::move(p));
   test::take_steps(simulation, 200);
   const auto x = test::by_id(simulation.particles(), Field::position);

@@ -117,8 +117,8 @@ TEST_CASE("Restart: an axisymmetric bar on an anvil goes on as if unbroken, on a
   const std::string scene =
       "scheme.type = 'msph'\nsmoothing.kernel = 'truncated-gaussian'\nanvil.axis = 'y'\n" + test::impact_scene;
   const auto bar = [] {
-    auto p = test::particles_on(
-        Space::axisymmetric, {{"bar", "plate", test::impact_spacing, {0.0, 0.0}, {12, 60}, {0.0, -400.0}}}, 2785.0);
+    auto p = test::particles_on(Space::axisymmetric,
+                                {{"bar", "plate", test::impact_spacing, {0.0, 0.0}, {12, 60}, {0.0, -400.0}}}, 2785.0);
     for (std::size_t i = 0; i < p.count(); ++i)
       p.scalars(Field::mass)[i] *= std::max(p.reals(Field::position)[2 * i], 0.125 * test::impact_spacing);
     return p;

@@ -14,9 +14,8 @@
 
 namespace tektite {
 
-using Eos =
-    std::variant<LinearEos, PolynomialEos, StiffenedGas, MieGrueneisen, MieGrueneisenCubic, MieGrueneisenIsothermal,
-                 IdealGas>;
+using Eos = std::variant<LinearEos, PolynomialEos, StiffenedGas, MieGrueneisen, MieGrueneisenCubic,
+                         MieGrueneisenIsothermal, IdealGas>;
 
 /// c² = (∂p/∂ρ)_e + p/ρ² (∂p/∂e)_ρ, the isentropic derivative; may be negative outside the range of a model.
 template <class Model>

@@ -49,8 +49,8 @@ std::vector<MsphCoefficients<D>> coefficients_of(const std::vector<EulerianRecor
   std::vector<MsphCoefficients<D>> coefficients(records.size());
   std::vector<double> mass(records.size());
   std::vector<Vector<double, D>> lopsidedness(records.size());
-  for_each_pair(pairs, MsphMoments<Weights, Kernel, D, 0>{{records.data()}, coefficients.data(), mass.data(),
-                                                       lopsidedness.data()});
+  for_each_pair(pairs, MsphMoments<Weights, Kernel, D, 0>{
+                           {records.data()}, coefficients.data(), mass.data(), lopsidedness.data()});
   return coefficients;
 }
 
@@ -124,8 +124,8 @@ TEST_CASE("MSPH: the sums of the scheme give the gradient and the value of a qua
   const auto coefficients = coefficients_of<MsphWeights<2>, TruncatedGaussian, 2>(records, pairs);
   std::vector<Tensor<double, 2>> gradient(records.size());
   std::vector<Vector<double, 2>> fitted(records.size());
-  for_each_pair(pairs, MsphVelocity<MsphWeights<2>, 2>{{records.data()}, coefficients.data(), gradient.data(),
-                                                       fitted.data()});
+  for_each_pair(pairs,
+                MsphVelocity<MsphWeights<2>, 2>{{records.data()}, coefficients.data(), gradient.data(), fitted.data()});
   for (std::size_t i = 0; i < records.size(); ++i) {
     const double x = records[i].x[0] / spacing, y = records[i].x[1] / spacing;
     CHECK(spacing * gradient[i](0, 0) == Approx(2.0 + x + y).margin(1e-9));
