@@ -1,5 +1,6 @@
 #include "preprocess/build_particles.hpp"
 
+#include <numbers>
 #include <numeric>
 
 #include "preprocess/body.hpp"
@@ -51,14 +52,27 @@ void store(const FilledBody& body, const Scene& scene, Range range, Particles& p
   }
 }
 
+/// Length of the ring, or area of the shell, that a particle at this radius stands for in a radial space; 1 elsewhere.
+/// A particle on the axis has half a cell, whose mean radius is a quarter of the spacing.
+double about_axis(double radius, double spacing, Space space) {
+  constexpr double pi = std::numbers::pi;
+  const double mean = radius > 0.0 ? radius : 0.25 * spacing;
+  if (hoops_of(space) == 1) return 2.0 * pi * mean;
+  if (hoops_of(space) == 2)
+    return radius > 0.0 ? 4.0 * pi * (radius * radius + spacing * spacing / 12.0) : pi / 3.0 * spacing * spacing;
+  return 1.0;
+}
+
 /// After the regions, which may have changed densities.
-void store_masses(const FilledBody& body, std::span<const SymmetryPlane> planes, Range range, Particles& particles) {
+void store_masses(const FilledBody& body, const Scene& scene, Range range, Particles& particles) {
+  const auto& planes = scene.symmetry;
   const double volume = whole_volume(body, planes);
   const auto densities = particles.reals(Field::density);
   auto masses = particles.reals(Field::mass);
 #pragma omp parallel for schedule(static)
   for (std::size_t i = range.begin; i < range.end; ++i)
-    masses[i] = densities[i] * volume * mass_share(body.positions[i - range.begin], planes);
+    masses[i] = densities[i] * volume * mass_share(body.positions[i - range.begin], planes) *
+                about_axis(body.positions[i - range.begin][0], body.spacing, scene.space);
 }
 
 BodyReport describe(const FilledBody& body, const Scene& scene, Range range, const Particles& particles) {
@@ -72,7 +86,7 @@ BodyReport describe(const FilledBody& body, const Scene& scene, Range range, con
   report.mass = std::accumulate(masses.begin(), masses.end(), 0.0);
   const double mean_density =
       report.mass / (whole_volume(body, scene.symmetry) * whole_particles(body, scene.symmetry));
-  report.exact_mass = mean_density * body.exact_measure;
+  if (hoops_of(scene.space) == 0) report.exact_mass = mean_density * body.exact_measure;
   report.mass_spread = body.plan.arrangement.mass == MassRule::exact;
   report.remarks = body.plan.shape->remarks();
   return report;
@@ -85,6 +99,10 @@ Result build_particles(Document& document, double most_particles) {
   const auto scene = read_scene(root, Stage::preprocess);
   const auto densities = read_densities(root);
   auto plans = read_bodies(root, scene, densities);
+  for (const auto& plan : plans)
+    if (hoops_of(scene.space) > 0 && plan.arrangement.mass == MassRule::exact)
+      throw plan.section.fault("arrangement", "the exact mass of what a section sweeps about the axis is not known",
+                               "mass = \"cell\"");
   root.finish();
 
   std::vector<FilledBody> filled;
@@ -106,7 +124,7 @@ Result build_particles(Document& document, double most_particles) {
     store(filled[k], scene, range, particles);
     auto regions =
         lay_regions(filled[k].plan.regions, scene.symmetry, edge_tolerance * filled[k].spacing, range, particles);
-    store_masses(filled[k], scene.symmetry, range, particles);
+    store_masses(filled[k], scene, range, particles);
     result.bodies.push_back(describe(filled[k], scene, range, particles));
     result.bodies.back().regions = std::move(regions);
     filled[k].positions = {};

@@ -6,6 +6,8 @@ namespace tektite::preprocess {
 namespace {
 
 const char* mass_unit(Space space) {
+  if (space == Space::cylindrical) return "kg/m";
+  if (hoops_of(space) > 0) return "kg";
   switch (dimensions_of(space)) {
     case 1:
       return "kg/m2";
@@ -23,11 +25,14 @@ std::string in_words(const Result& result) {
   const auto* unit = mass_unit(particles.space());
   std::string text;
   for (const auto& body : result.bodies) {
-    const double difference = 100.0 * (body.mass - body.exact_mass) / body.exact_mass;
     text += fmt::format("body {} ({}): {} particles at a spacing of {:g} m\n", body.name, body.material, body.count,
                         body.spacing);
-    text += fmt::format("  mass {:.6g} {}, exact {:.6g} {}, difference {:+.3f} %{}\n", body.mass, unit, body.exact_mass,
-                        unit, difference, body.mass_spread ? " (spread over the particles)" : "");
+    text += fmt::format("  mass {:.6g} {}", body.mass, unit);
+    if (body.exact_mass > 0.0)
+      text += fmt::format(", exact {:.6g} {}, difference {:+.3f} %{}", body.exact_mass, unit,
+                          100.0 * (body.mass - body.exact_mass) / body.exact_mass,
+                          body.mass_spread ? " (spread over the particles)" : "");
+    text += '\n';
     if (body.on_symmetry_planes > 0)
       text += fmt::format("  {} particles lie on a symmetry plane, with half their mass a plane\n",
                           body.on_symmetry_planes);

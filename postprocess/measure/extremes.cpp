@@ -1,4 +1,4 @@
-// Largest and smallest value of a field in the last snapshot.
+// Largest and smallest value of a field in the last snapshot, or in the one nearest to a time.
 
 #include <fmt/format.h>
 
@@ -15,11 +15,12 @@ enum class Extreme { least, largest };
 
 /// A single particle stands for a cell of one spacing, over which the field varies: the uncertainty is the difference
 /// between the extreme value and the mean of those within one smoothing length of it in the same body.
-Measured extreme(const Event& event, const std::string& body_name, Field field, Extreme which) {
-  const auto& particles = event.last_snapshot.particles;
-  if (!particles.has(field)) throw RunError(fmt::format("the last snapshot has no {}", info(field).name));
+Measured extreme(const Snapshot& snapshot, const Whole& whole, const std::string& body_name, Field field,
+                 Extreme which) {
+  const auto& particles = snapshot.particles;
+  if (!particles.has(field)) throw RunError(fmt::format("the snapshot has no {}", info(field).name));
   const auto values = particles.reals(field).first(particles.count());
-  const auto& body = event.last.bodies[static_cast<std::size_t>(event.last.body_named(body_name))];
+  const auto& body = whole.bodies[static_cast<std::size_t>(whole.body_named(body_name))];
   const auto first = values.begin() + static_cast<std::ptrdiff_t>(body.range.begin);
   const auto last = values.begin() + static_cast<std::ptrdiff_t>(body.range.end);
   const auto found = which == Extreme::largest ? std::max_element(first, last) : std::min_element(first, last);
@@ -27,16 +28,32 @@ Measured extreme(const Event& event, const std::string& body_name, Field field, 
   double sum = 0.0;
   std::size_t count = 0;
   for (auto i = body.range.begin; i < body.range.end; ++i) {
-    if (norm(event.last.position[i] - event.last.position[at]) > event.last.smoothing_length[at]) continue;
+    if (norm(whole.position[i] - whole.position[at]) > whole.smoothing_length[at]) continue;
     sum += values[i];
     ++count;
   }
-  return {values[at], event.last.time, std::abs(values[at] - sum / static_cast<double>(count)), {}};
+  return {values[at], whole.time, std::abs(values[at] - sum / static_cast<double>(count)), {}};
+}
+
+/// The snapshot nearest to a time.
+Snapshot snapshot_near(const Event& event, double time) {
+  std::optional<Snapshot> nearest;
+  for (const auto& path : event.snapshots) {
+    auto snapshot = read_snapshot(path);
+    if (!nearest || std::abs(snapshot.time() - time) < std::abs(nearest->time() - time)) nearest = std::move(snapshot);
+  }
+  return std::move(*nearest);
 }
 
 Measure read_extreme(Section& section, const Declared& declared, Field field, Extreme which) {
   const auto body = read_body(section, "body", declared);
-  return [=](const Event& event) { return extreme(event, body, field, which); };
+  std::optional<double> time;
+  if (section.has("time")) time = section.quantity("time", dimension::time, limits::not_negative);
+  return [=](const Event& event) {
+    if (!time) return extreme(event.last_snapshot, event.last, body, field, which);
+    const auto snapshot = snapshot_near(event, *time);
+    return extreme(snapshot, make_whole(snapshot, event.symmetry), body, field, which);
+  };
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ struct OwnedKey {
   Stage owner;
 };
 
-constexpr std::array<OwnedKey, 22> owned_keys{{
+constexpr std::array<OwnedKey, 23> owned_keys{{
     {"", "body", Stage::preprocess},
     {"", "material", Stage::preprocess},
     {"", "material", Stage::solve},
@@ -20,6 +20,7 @@ constexpr std::array<OwnedKey, 22> owned_keys{{
     {"", "scheme", Stage::solve},
     {"", "viscosity", Stage::solve},
     {"", "contact", Stage::solve},
+    {"", "anvil", Stage::solve},
     {"", "time", Stage::solve},
     {"", "output", Stage::solve},
     {"", "probe", Stage::solve},
@@ -79,6 +80,8 @@ Scene read_scene(Section& root, Stage stage) {
 
   for (auto& [name, plane] : root.named_sections("symmetry")) {
     const int axis = axis_named(plane, "axis", scene.space);
+    if (axis == 0 && hoops_of(scene.space) > 0)
+      throw plane.fault("axis", "the radius is measured from the axis: no other plane can lie across it");
     for (const auto& other : scene.symmetry)
       if (other.axis == axis) throw plane.fault("axis", "there is a symmetry plane across this axis already");
     const double at = plane.quantity("at", dimension::length, limits::any, 0.0);
@@ -87,6 +90,7 @@ Scene read_scene(Section& root, Stage stage) {
     scene.symmetry.push_back({axis, at, side});
     plane.finish();
   }
+  if (hoops_of(scene.space) > 0) scene.symmetry.push_back({0, 0.0, 1.0});
   leave(root, "", stage);
   return scene;
 }

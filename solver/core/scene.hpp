@@ -26,7 +26,7 @@ struct Scene {
   Space space = Space::line;
   double smoothing_ratio = 0.0;  ///< h/δ
   std::string kernel;
-  std::vector<SymmetryPlane> symmetry;
+  std::vector<SymmetryPlane> symmetry;  ///< the axis x = 0 of a radial space is one of them
 };
 
 /// Reads what is common to all stages and leaves the top-level keys that `stage` does not own.

@@ -6,18 +6,21 @@
 
 namespace tektite {
 
-enum class Space { line, plane_strain, plane_stress, solid };
+enum class Space { line, plane_strain, plane_stress, solid, cylindrical, spherical, axisymmetric };
 
 struct SpaceName {
   Space space;
   std::string_view name;
 };
 
-inline constexpr std::array<SpaceName, 4> space_names{{
+inline constexpr std::array<SpaceName, 7> space_names{{
     {Space::line, "line"},
     {Space::plane_strain, "plane-strain"},
     {Space::plane_stress, "plane-stress"},
     {Space::solid, "solid"},
+    {Space::cylindrical, "cylindrical"},
+    {Space::spherical, "spherical"},
+    {Space::axisymmetric, "axisymmetric"},
 }};
 
 constexpr std::string_view name_of(Space space) {
@@ -30,14 +33,24 @@ constexpr std::string_view name_of(Space space) {
 constexpr int dimensions_of(Space space) {
   switch (space) {
     case Space::line:
+    case Space::cylindrical:
+    case Space::spherical:
       return 1;
     case Space::plane_strain:
     case Space::plane_stress:
+    case Space::axisymmetric:
       return 2;
     case Space::solid:
       return 3;
   }
   return 0;
+}
+
+/// Directions about the axis or centre in which motion along the radius, the coordinate x, stretches matter: a ring's
+/// one (cylindrical, axisymmetric), a shell's two (spherical), none elsewhere.
+constexpr int hoops_of(Space space) {
+  if (space == Space::spherical) return 2;
+  return space == Space::cylindrical || space == Space::axisymmetric ? 1 : 0;
 }
 
 /// Components that a symmetric tensor has in `dimensions` coordinates: always the three normal ones, because stress

@@ -124,6 +124,7 @@ class Run {
   void finish() {
     const auto summary = summarise(simulation_, timer_, !simulation_.finished());
     write_summary(summary, (folder_ / "solve.json").string());
+    if (const auto remark = simulation_.scheme().closing_remark(); !remark.empty()) log_->info("  {}", remark);
     log_summary(summary, simulation_.profile(), *log_);
     if (!simulation_.finished())
       log_->info("interrupted at t = {}; go on with: tektite resume {}", shown_time(simulation_.time()),

@@ -16,8 +16,16 @@ std::unique_ptr<Scheme> make_eulerian(const SchemeSetup& setup) {
       return make_eulerian_in<Space::plane_stress>(setup);
     case Space::solid:
       return make_eulerian_in<Space::solid>(setup);
+    case Space::cylindrical:
+    case Space::spherical:
+    case Space::axisymmetric:
+      break;
   }
-  return nullptr;
+  throw InputError({{},
+                    "space",
+                    std::string(name_of(setup.particles.space())),
+                    "the scheme eulerian does not support it",
+                    "line, plane-strain, plane-stress, solid"});
 }
 
 }  // namespace tektite

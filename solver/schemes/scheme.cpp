@@ -8,6 +8,7 @@
 #include "schemes/godunov_pm.hpp"
 #include "schemes/godunov_settings.hpp"
 #include "schemes/godunov_split.hpp"
+#include "schemes/msph.hpp"
 #include "schemes/total_lagrangian.hpp"
 
 namespace tektite {
@@ -18,12 +19,14 @@ struct RegisteredScheme {
   std::unique_ptr<Scheme> (*make)(const SchemeSetup&);
 };
 
-constexpr std::array<RegisteredScheme, 5> schemes{{
+constexpr std::array<RegisteredScheme, 7> schemes{{
     {"adaptle", make_total_lagrangian},
     {"eulerian", make_eulerian},
     {"godunov-pm", make_godunov_pm},
     {"godunov-split", make_godunov_split},
     {"total-lagrangian", make_total_lagrangian},
+    {"msph", make_msph},
+    {"ssph", make_ssph},
 }};
 
 Viscosity read_viscosity(Section& root) {
@@ -31,6 +34,20 @@ Viscosity read_viscosity(Section& root) {
   const auto names = Family<Viscosity>::names();
   section.choice("model", names, names.front());
   return Family<Viscosity>::read(section);
+}
+
+/// [anvil]: axis, at and keep as of a symmetry plane.
+std::optional<SymmetryPlane> read_anvil(Section& root, const Scene& scene, bool supported) {
+  if (!root.has("anvil")) return std::nullopt;
+  auto section = root.section("anvil");
+  if (!supported) throw section.fault("", "the scheme knows no anvil", "the scheme msph or ssph");
+  const int axis = axis_named(section, "axis", scene.space);
+  if (axis == 0 && hoops_of(scene.space) > 0) throw section.fault("axis", "an anvil lies across the axis", "y");
+  const double at = section.quantity("at", dimension::length, limits::any, 0.0);
+  const std::array<std::string, 2> sides{"above", "below"};
+  const double side = section.choice("keep", sides, "above") == "above" ? 1.0 : -1.0;
+  section.finish();
+  return SymmetryPlane{axis, at, side};
 }
 
 }  // namespace
@@ -45,7 +62,9 @@ SchemeSettings read_scheme(Section& root, const Scene& scene) {
   SchemeSettings settings;
   auto section = root.section_or_empty("scheme");
   settings.type = section.choice("type", scheme_names(), "eulerian");
-  settings.courant = section.quantity("courant", dimension::none, {0.0, 1.0, true}, 0.25);
+  const bool strong = settings.type == "msph" || settings.type == "ssph";
+  settings.courant = section.quantity("courant", dimension::none, {0.0, 1.0, true}, strong ? 0.2 : 0.25);
+  if (strong) settings.smoothing_share = section.quantity("smoothing_share", dimension::none, {0.0, 0.5}, 0.3);
   const bool adaptle = settings.type == "adaptle", eulerian = settings.type == "eulerian";
   const bool lagrangian = adaptle || settings.type == "total-lagrangian";
   std::vector<std::string> corrections{lagrangian ? "mixed" : "none"};  // the first one where none is named
@@ -67,6 +86,7 @@ SchemeSettings read_scheme(Section& root, const Scene& scene) {
   smoothing.choice("kernel", Family<Kernel>::names());
   if (!settings.type.starts_with("godunov")) settings.viscosity = read_viscosity(root);
   settings.contact = read_contact(root);
+  settings.anvil = read_anvil(root, scene, strong);
   return settings;
 }
 

@@ -33,6 +33,8 @@ struct SchemeSettings {
   Conversion conversion;                                              ///< of total-Lagrangian particles
   std::optional<ContactSettings> contact;
   std::shared_ptr<const GodunovSettings> godunov;  ///< of the scheme godunov-split
+  double smoothing_share = 0.0;                    ///< α_cs of the conservative smoothing
+  std::optional<SymmetryPlane> anvil;              ///< a rigid smooth wall, msph and ssph only
 };
 
 /// Everything that a scheme is built from. The particles outlive the scheme.
@@ -75,6 +77,8 @@ class Scheme {
   virtual bool in_contact() const = 0;
   /// What a user should know about its particles now; may be empty.
   virtual std::string remark() const { return {}; }
+  /// What a user should know when it ends; may be empty.
+  virtual std::string closing_remark() const { return {}; }
   /// Bytes that the scheme holds beside the fields.
   virtual std::size_t memory() const = 0;
 };

@@ -21,11 +21,14 @@ std::unique_ptr<Scheme> make_total_lagrangian(const SchemeSetup& setup) {
     case Space::solid:
       return make_total_lagrangian_in<Space::solid>(setup);
     case Space::plane_stress:
+    case Space::cylindrical:
+    case Space::spherical:
+    case Space::axisymmetric:
       break;
   }
   throw InputError({{},
                     "space",
-                    "plane-stress",
+                    std::string(name_of(setup.particles.space())),
                     "the scheme " + setup.settings.type + " does not support it",
                     "line, plane-strain, solid"});
 }

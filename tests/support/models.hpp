@@ -59,6 +59,10 @@ struct Samples<MieGrueneisenIsothermal> {
   static constexpr std::array<Texts, 1> all{"bulk_sound_speed = '5328 m/s'\nhugoniot_slope = 1.338"};
 };
 template <>
+struct Samples<IdealGas> {
+  static constexpr std::array<Texts, 1> all{"heat_ratio = 1.4"};
+};
+template <>
 struct Samples<NoStrength> {
   static constexpr std::array<Texts, 1> all{""};
 };

@@ -25,6 +25,7 @@ std::vector<std::string> scenes(Space space) {
                   "scheme = { type = 'adaptle', correction = 'reference', conversion = 'strain', "
                   "conversion_strain = 0.1 }\n" +
                   test::impact_scene);
+    all.push_back("scheme.type = 'msph'\nsmoothing.kernel = 'truncated-gaussian'\n" + test::impact_scene);
   }
   if (dimensions_of(space) == 2)
     all.push_back("scheme = { correction = 'mixed', correction_limit = 10.0, artificial_stress = {} }\n" +
@@ -123,4 +124,28 @@ TEST_CASE("Restart: half a model with a symmetry plane goes on as if unbroken", 
   Simulation resumed(std::move(snapshot), std::move(settings), true);
   test::take_steps(resumed, steps);
   check_same(unbroken, resumed);
+}
+
+TEST_CASE("Restart: an axisymmetric bar on an anvil goes on as if unbroken, on any number of threads", "[restart]") {
+  const std::string scene =
+      "scheme.type = 'msph'\nsmoothing.kernel = 'truncated-gaussian'\nanvil.axis = 'y'\n" + test::impact_scene;
+  const auto bar = [] {
+    auto p = test::particles_on(Space::axisymmetric,
+                                {{"bar", "plate", test::impact_spacing, {0.0, 0.0}, {12, 60}, {0.0, -400.0}}}, 2785.0);
+    for (std::size_t i = 0; i < p.count(); ++i)
+      p.scalars(Field::mass)[i] *= std::max(p.reals(Field::position)[2 * i], 0.125 * test::impact_spacing);
+    return p;
+  };
+  auto unbroken = test::simulation_of(scene, bar());
+  take_steps_on(1, unbroken, 3 * steps);
+  const test::TemporaryFolder folder;
+  write_snapshot(unbroken.save({}), folder.file("middle.h5"));
+  take_steps_on(1, unbroken, 3 * steps);
+  auto snapshot = read_snapshot(folder.file("middle.h5"));
+  auto document = Document::parse(snapshot.scene, "middle.h5");
+  auto settings = read_run_settings(document);
+  Simulation resumed(std::move(snapshot), std::move(settings), true);
+  take_steps_on(3, resumed, 3 * steps);
+  check_same(unbroken, resumed);
+  CHECK(std::ranges::max(unbroken.particles().reals(Field::plastic_strain)) > 0.01);
 }

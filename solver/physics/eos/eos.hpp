@@ -4,6 +4,7 @@
 
 #include <variant>
 
+#include "physics/eos/ideal_gas.hpp"
 #include "physics/eos/linear.hpp"
 #include "physics/eos/mie_grueneisen.hpp"
 #include "physics/eos/mie_grueneisen_cubic.hpp"
@@ -13,8 +14,8 @@
 
 namespace tektite {
 
-using Eos =
-    std::variant<LinearEos, PolynomialEos, StiffenedGas, MieGrueneisen, MieGrueneisenCubic, MieGrueneisenIsothermal>;
+using Eos = std::variant<LinearEos, PolynomialEos, StiffenedGas, MieGrueneisen, MieGrueneisenCubic,
+                         MieGrueneisenIsothermal, IdealGas>;
 
 /// c² = (∂p/∂ρ)_e + p/ρ² (∂p/∂e)_ρ, the isentropic derivative; may be negative outside the range of a model.
 template <class Model>

@@ -78,3 +78,19 @@ TEST_CASE("collapsing_ring: 17 and 29 circles with the mass of the ring to a ten
   const double exact = 1845.0 * 3.14159265358979 * (0.1 * 0.1 - 0.08 * 0.08);
   CHECK(std::accumulate(mass.begin(), mass.end(), 0.0) == Approx(exact).epsilon(1.5e-4));  // whole particles on circles
 }
+
+TEST_CASE("taylor_bar: 20 x 191 particles in test 7, and 31 x 301 in the finer one") {
+  CHECK(example("taylor_bar", "").snapshot.particles.count() == 3820);
+  CHECK(example("taylor_bar", "particles_31").snapshot.particles.count() == 31 * 301);
+}
+
+TEST_CASE("taylor_bar: a ring has the mass of its section times the way around the axis") {
+  const auto result = example("taylor_bar", "");
+  const auto& p = result.snapshot.particles;
+  double sum = 0.0;
+  for (const double m : p.reals(Field::mass)) sum += m;
+  // Edges included: the outermost particles have whole cells, half a spacing beyond mantle and ends.
+  const double spacing = 3.7975e-3 / 19.0, radius = 3.7975e-3 + 0.5 * spacing, length = 191.0 * 37.97e-3 / 190.0;
+  // The axis' half cell counts as its mean radius, which makes the disc exact; δ differs from L/190 by 2e-4.
+  CHECK(sum == Approx(7830.0 * M_PI * radius * radius * length).epsilon(1e-3));
+}

@@ -1,0 +1,167 @@
+// A run against the exact solution of Noh's problem (1987): cold gas of density ρ0 that runs together at speed u0 onto
+// a wall, an axis or a centre (d = 1, 2, 3). Behind the shock, which runs out at u0 (γ - 1)/2,
+//   ρ = ρ0 ((γ + 1)/(γ - 1))^d,  u = 0,  e = u0²/2,  p = (γ - 1) ρ e,
+// and ahead of it ρ = ρ0 (1 + u0 t/r)^(d - 1), u = -u0, e = p = 0.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/error.hpp"
+#include "postprocess/measure/measure.hpp"
+
+namespace tektite {
+namespace {
+
+struct NohState {
+  double density, pressure, velocity, energy;
+};
+
+struct Noh {
+  double density, speed, heat_ratio, time;
+  int dimensions;
+
+  double shock() const { return 0.5 * (heat_ratio - 1.0) * speed * time; }
+  NohState at(double r) const {
+    if (r >= shock()) return {density * std::pow(1.0 + speed * time / r, dimensions - 1), 0.0, -speed, 0.0};
+    const double rho = density * std::pow((heat_ratio + 1.0) / (heat_ratio - 1.0), dimensions);
+    const double e = 0.5 * speed * speed;
+    return {rho, (heat_ratio - 1.0) * rho * e, 0.0, e};
+  }
+};
+
+struct NohRun {
+  std::string body;
+  double heat_ratio;
+  double from, to;  ///< radii between which errors are taken, m
+};
+
+NohRun read_run(Section& section, const Declared& declared) {
+  if (dimensions_of(declared.space) != 1)
+    throw section.fault("", "the exact solution is one of a line or a radius", "space line, cylindrical or spherical");
+  NohRun run{read_body(section, "body", declared), 0.0, 0.0, 0.0};
+  run.heat_ratio = section.quantity("heat_ratio", dimension::none, {1.0, 10.0, true}, 5.0 / 3.0);
+  run.from = section.quantity("from", dimension::length, limits::not_negative, 0.05);
+  run.to = section.quantity("to", dimension::length, limits::positive, 0.35);
+  return run;
+}
+
+Noh exact_of(const Event& event, const NohRun& run) {
+  const auto& particles = event.last_snapshot.particles;
+  const auto& body = event.initial.bodies[static_cast<std::size_t>(event.initial.body_named(run.body))];
+  const auto first = body.range.begin;
+  const double speed = std::abs(event.initial.velocity[body.range.end - 1][0]);
+  if (!(speed > 0.0)) throw RunError("the gas does not move at the start");
+  const auto start = read_snapshot(event.snapshots.front());
+  return {start.particles.reals(Field::density)[first], speed, run.heat_ratio, event.last.time,
+          1 + hoops_of(particles.space())};
+}
+
+enum class Profile { density, pressure, velocity, energy };
+
+double exact_value(const NohState& s, Profile what) {
+  switch (what) {
+    case Profile::density:
+      return s.density;
+    case Profile::pressure:
+      return s.pressure;
+    case Profile::velocity:
+      return s.velocity;
+    case Profile::energy:
+      break;
+  }
+  return s.energy;
+}
+
+Field field_of(Profile what) {
+  switch (what) {
+    case Profile::density:
+      return Field::density;
+    case Profile::pressure:
+      return Field::pressure;
+    case Profile::velocity:
+      return Field::velocity;
+    case Profile::energy:
+      break;
+  }
+  return Field::specific_internal_energy;
+}
+
+/// work(radius, value) for every particle of the body.
+template <class Work>
+void for_profile(const Event& event, const NohRun& run, Field field, const Work& work) {
+  const auto& particles = event.last_snapshot.particles;
+  const auto& body = event.last.bodies[static_cast<std::size_t>(event.last.body_named(run.body))];
+  const auto x = particles.reals(Field::position), value = particles.reals(field);
+  for (auto i = body.range.begin; i < body.range.end; ++i) work(x[i], value[i]);
+}
+
+/// The mean of |ours - exact| over the particles between two radii.
+Measured error_l1(const Event& event, const NohRun& run, Profile what) {
+  const auto exact = exact_of(event, run);
+  double sum = 0.0, count = 0.0;
+  for_profile(event, run, field_of(what), [&](double r, double value) {
+    if (r <= run.from || r >= run.to) return;
+    sum += std::abs(value - exact_value(exact.at(r), what));
+    count += 1.0;
+  });
+  if (count == 0.0) throw RunError("no particle lies between the radii from and to");
+  return {sum / count, exact.time, 0.0, {}};
+}
+
+/// Where the velocity passes half of that ahead of the shock, from outside; linear between particles.
+Measured shock_position(const Event& event, const NohRun& run) {
+  const auto exact = exact_of(event, run);
+  std::vector<std::pair<double, double>> profile;
+  for_profile(event, run, Field::velocity, [&](double r, double v) { profile.push_back({r, v}); });
+  std::ranges::sort(profile);
+  const double half = -0.5 * exact.speed;
+  for (std::size_t k = profile.size() - 1; k > 0; --k) {
+    const auto [outer, fast] = profile[k];
+    const auto [inner, slow] = profile[k - 1];
+    if (slow < half) continue;
+    const auto& body = event.last.bodies[static_cast<std::size_t>(event.last.body_named(run.body))];
+    return {inner + (outer - inner) * (half - slow) / (fast - slow), exact.time, body.spacing, {}};
+  }
+  throw RunError("no shock runs through the gas");
+}
+
+/// Largest energy within `from` of the axis over the exact one: 1 where the axis is not heated.
+Measured wall_heating(const Event& event, const NohRun& run) {
+  const auto exact = exact_of(event, run);
+  double most = 0.0;
+  for_profile(event, run, Field::specific_internal_energy, [&](double r, double e) {
+    if (r < run.from) most = std::max(most, e);
+  });
+  return {most / exact.at(0.0).energy, exact.time, 0.0, {}};
+}
+
+Measure read_error(Section& section, const Declared& declared, Profile what) {
+  const auto run = read_run(section, declared);
+  return [=](const Event& event) { return error_l1(event, run, what); };
+}
+
+}  // namespace
+
+Measure read_error_l1_density(Section& section, const Declared& declared) {
+  return read_error(section, declared, Profile::density);
+}
+Measure read_error_l1_pressure(Section& section, const Declared& declared) {
+  return read_error(section, declared, Profile::pressure);
+}
+Measure read_error_l1_velocity(Section& section, const Declared& declared) {
+  return read_error(section, declared, Profile::velocity);
+}
+Measure read_error_l1_energy(Section& section, const Declared& declared) {
+  return read_error(section, declared, Profile::energy);
+}
+Measure read_shock_position(Section& section, const Declared& declared) {
+  const auto run = read_run(section, declared);
+  return [=](const Event& event) { return shock_position(event, run); };
+}
+Measure read_wall_heating(Section& section, const Declared& declared) {
+  const auto run = read_run(section, declared);
+  return [=](const Event& event) { return wall_heating(event, run); };
+}
+
+}  // namespace tektite

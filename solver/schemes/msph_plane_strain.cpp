@@ -1,0 +1,7 @@
+#include "schemes/msph_scheme.hpp"
+
+namespace tektite {
+
+template std::unique_ptr<Scheme> make_msph_in<Space::plane_strain>(const SchemeSetup&);
+
+}  // namespace tektite

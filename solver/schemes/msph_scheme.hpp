@@ -1,0 +1,295 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "boundary/anvil.hpp"
+#include "neighbours/neighbourhood.hpp"
+#include "parallel/for_each_pair.hpp"
+#include "passes/assemble_records.hpp"
+#include "passes/body_contact.hpp"
+#include "passes/msph_motion.hpp"
+#include "passes/msph_sums.hpp"
+#include "passes/msph_surface.hpp"
+#include "schemes/material_passes.hpp"
+#include "schemes/scheme.hpp"
+#include "schemes/state_sums.hpp"
+
+namespace tektite {
+
+/// MSPH and SSPH: the strong form with derivatives from the matrix B, central differences in time (velocities live in
+/// the middle of steps), conservative smoothing.
+template <Space space, class Weights, class Kernel>
+class MsphScheme final : public Scheme {
+  static constexpr int D = dimensions_of(space);
+  static constexpr int hoops = hoops_of(space);
+  static constexpr bool across = D == 2 && hoops > 0;  ///< the ring's strain is the plane's third one
+
+ public:
+  explicit MsphScheme(const SchemeSetup& setup)
+      : particles_(setup.particles),
+        profile_(setup.profile),
+        settings_(setup.settings),
+        materials_(setup.particles, setup.materials),
+        neighbourhood_(setup.particles, support(setup.particles), setup.symmetry),
+        anvil_(setup.settings.anvil) {}
+
+  void start() override {
+    for (const auto field : {Field::pressure, Field::sound_speed, Field::wave_speed, Field::viscous_work,
+                             Field::acceleration, Field::velocity_gradient, Field::search_position})
+      particles_.allocate(field);
+    if (!particles_.has(Field::specific_internal_energy)) particles_.allocate(Field::specific_internal_energy);
+    materials_.start();
+    allocate_scratch();
+    materials_.for_each_run([&](const auto& run) { evaluate_state(run); });
+    neighbourhood_.prepare(0.0);
+    assemble();
+  }
+  void restore(const std::map<std::string, double>& state) override {
+    allocate_scratch();
+    neighbourhood_.restore(state.at("search_reach"));
+    lower_order_ = {state.at("first_order_particle_steps"), state.at("zeroth_order_particle_steps")};
+    assemble();
+  }
+  void save(std::map<std::string, double>& state) const override {
+    state["search_reach"] = neighbourhood_.reach();
+    state["first_order_particle_steps"] = lower_order_.first;
+    state["zeroth_order_particle_steps"] = lower_order_.second;
+  }
+
+  void step(double dt) override {
+    {
+      const auto scope = profile_.time("search");
+      neighbourhood_.prepare(dt);
+    }
+    assemble();
+    find_bases();
+    kick(dt);
+    smooth_velocity();
+    find_velocity_gradients();
+    advance(dt);
+  }
+
+  TimeStep stable_step() const override {
+    const Particles& p = particles_;
+    const MsphStepLimit<D> pass{settings_.courant, p.scalars(Field::smoothing_length), p.scalars(Field::wave_speed),
+                                p.scalars(Field::density), p.template vectors<D>(Field::velocity)};
+    using Least = typename TimeStepLimit<D>::Least;
+    const auto least = reduce(p.count(), Least{std::numeric_limits<double>::infinity()}, pass, TimeStepLimit<D>::join);
+    return {least.dt, least.reason, least.particle};
+  }
+  Ledger ledger() override { return ledger_of<D>(particles_, 0.0); }
+  bool in_contact() const override {
+    return body_contact(neighbourhood_.pairs(), particles_.bodies(), records_, Kernel::support);
+  }
+  std::string closing_remark() const override {
+    if (lower_order_.first + lower_order_.second == 0.0) return {};
+    return fmt::format(
+        "the matrix B was ill-conditioned and answered by lower order: first order in {:.0f} and zeroth "
+        "in {:.0f} particle steps",
+        lower_order_.first, lower_order_.second);
+  }
+  std::size_t memory() const override {
+    return neighbourhood_.memory() + records_.capacity() * sizeof(EulerianRecord<D>) +
+           coefficients_.capacity() * sizeof(MsphCoefficients<D>) +
+           (lopsidedness_.capacity() + divergence_.capacity() + fitted_.capacity()) * sizeof(Vector<double, D>) +
+           (kernel_mass_.capacity() + radial_part_.capacity() + heat_.capacity() + exchange_.capacity() +
+            energies_.capacity() + densities_.capacity() + smoothed_.capacity()) *
+               sizeof(double);
+  }
+
+ private:
+  using Run = typename MaterialPasses<D, across>::Run;
+
+  static double support(const Particles& particles) {
+    const auto h = particles.reals(Field::smoothing_length);
+    return Kernel::support * *std::max_element(h.begin(), h.end());
+  }
+
+  void allocate_scratch() {
+    for (const auto field :
+         {Field::half_density, Field::half_energy, Field::half_pressure, Field::half_sound_speed, Field::across_rate})
+      particles_.allocate(field);
+    materials_.allocate_scratch();
+    const auto count = particles_.count();
+    coefficients_.resize(count);
+    for (auto* column : {&radial_part_, &heat_, &exchange_, &smoothed_}) column->resize(count);
+    for (auto* column : {&lopsidedness_, &divergence_, &fitted_}) column->resize(count);
+    held_.resize(count);
+  }
+
+  MsphGather<D> gather() const { return {records_.data()}; }
+
+  /// What pairs see at the start of a step.
+  void assemble() {
+    const auto scope = profile_.time("assemble");
+    auto& p = particles_;
+    records_.resize(p.count() + neighbourhood_.mirror().images());
+    for_each(p.count(), [&, x = p.template vectors<D>(Field::position),
+                         v = p.template vectors<D>(Field::velocity)](std::size_t i) {
+      records_[i].x = x[i];
+      records_[i].v = v[i];
+    });
+    materials_.for_each_run([&](const Run& run) {
+      run_through(run.range, AssembleRecords<D, false>{
+                                 p.scalars(Field::mass), p.scalars(Field::density), p.scalars(Field::pressure),
+                                 p.scalars(Field::sound_speed), p.template symmetrics<D>(Field::deviatoric_stress),
+                                 nullptr, nullptr, 0.0, p.scalars(Field::smoothing_length), records_.data()});
+    });
+    neighbourhood_.mirror().fill(records_, p.count());
+  }
+
+  /// B of every particle, inverted; surfaces, with what they do to the stress.
+  void find_bases() {
+    const auto scope = profile_.time("bases");
+    auto& p = particles_;
+    kernel_mass_.resize(p.count());
+    for_each_pair(neighbourhood_.pairs(),
+                  MsphMoments<Weights, Kernel, D, hoops>{gather(), coefficients_.data(), kernel_mass_.data(),
+                                                         lopsidedness_.data()});
+    neighbourhood_.mirror().repeat(kernel_mass_);
+    using Counts = std::pair<double, double>;
+    const auto lower = reduce(
+        p.count(), Counts{0.0, 0.0},
+        [&](Counts& counts, std::size_t i) {
+          counts.first += coefficients_[i].order == 1 ? 1.0 : 0.0;
+          counts.second += coefficients_[i].order == 0 ? 1.0 : 0.0;
+        },
+        [](Counts& whole, const Counts& part) {
+          whole.first += part.first;
+          whole.second += part.second;
+        });
+    lower_order_.first += lower.first;
+    lower_order_.second += lower.second;
+    run_all(MsphSurface<D>{lopsidedness_.data(), p.template vectors<D>(Field::velocity), anvil_, records_.data(),
+                           held_.data()});
+    neighbourhood_.mirror().fill(records_, p.count());
+  }
+
+  void kick(double dt) {
+    const auto scope = profile_.time("forces");
+    auto& p = particles_;
+    for_each_pair(neighbourhood_.pairs(),
+                  MsphDivergence<Weights, D>{gather(), coefficients_.data(), divergence_.data(), radial_part_.data()});
+    auto* v = p.template vectors<D>(Field::velocity);
+    run_all(MsphKick<D, hoops>{records_.data(), p.template symmetrics<D>(Field::deviatoric_stress),
+                               p.scalars(Field::pressure), divergence_.data(), radial_part_.data(), held_.data(),
+                               anvil_.axis(), dt, v, p.template vectors<D>(Field::acceleration)});
+    show_velocities();
+  }
+
+  /// The velocities, held at symmetry planes, as pairs see them.
+  void show_velocities() {
+    auto* v = particles_.template vectors<D>(Field::velocity);
+    neighbourhood_.mirror().hold(v);
+    for_each(particles_.count(), [&](std::size_t i) { records_[i].v = v[i]; });
+    neighbourhood_.mirror().fill(records_, particles_.count());
+  }
+
+  void smooth_velocity() {
+    const auto scope = profile_.time("smoothing");
+    auto& p = particles_;
+    const auto energy = p.reals(Field::specific_internal_energy);
+    energies_.assign(energy.begin(), energy.end());
+    neighbourhood_.mirror().repeat(energies_);
+    for_each_pair(neighbourhood_.pairs(),
+                  SmoothVelocity<Kernel, D>{gather(), kernel_mass_.data(), settings_.smoothing_share, energies_.data(),
+                                            divergence_.data(), heat_.data(), exchange_.data()});
+    neighbourhood_.mirror().hold(divergence_.data());
+    run_all(MsphApplySmoothing<D>{divergence_.data(), heat_.data(), exchange_.data(), held_.data(), anvil_.axis(),
+                                  p.template vectors<D>(Field::velocity), p.scalars(Field::specific_internal_energy),
+                                  p.scalars(Field::viscous_work)});
+    show_velocities();
+  }
+
+  void find_velocity_gradients() {
+    const auto scope = profile_.time("gradients");
+    for_each_pair(neighbourhood_.pairs(),
+                  MsphVelocity<Weights, D>{gather(), coefficients_.data(),
+                                           particles_.template tensors<D>(Field::velocity_gradient), fitted_.data()});
+    neighbourhood_.mirror().hold(fitted_.data());
+    for_each(particles_.count(), [&](std::size_t i) {
+      if (held_[i]) fitted_[i][anvil_.axis()] = 0.0;
+    });
+  }
+
+  void advance(double dt) {
+    const auto scope = profile_.time("advance");
+    auto& p = particles_;
+    const MsphMiddle<D, hoops> middle{records_.data(),
+                                      fitted_.data(),
+                                      p.template symmetrics<D>(Field::deviatoric_stress),
+                                      p.scalars(Field::pressure),
+                                      p.scalars(Field::density),
+                                      p.scalars(Field::specific_internal_energy),
+                                      dt,
+                                      p.template tensors<D>(Field::velocity_gradient),
+                                      p.scalars(Field::across_rate),
+                                      p.scalars(Field::half_density),
+                                      p.scalars(Field::half_energy)};
+    materials_.for_each_run([&](const Run& run) {
+      run_through(run.range, middle);
+      materials_.evaluate_eos(run, Field::half_density, Field::half_energy, Field::half_pressure,
+                              Field::half_sound_speed);
+      run_through(run.range,
+                  MsphAdvance<D, hoops>{middle, p.scalars(Field::half_pressure), anvil_,
+                                        p.template vectors<D>(Field::position), p.template vectors<D>(Field::velocity),
+                                        p.scalars(Field::density), p.scalars(Field::specific_internal_energy)});
+      materials_.advance_strength(run, dt);
+    });
+    smooth_density();
+    materials_.for_each_run([&](const Run& run) { evaluate_state(run); });
+  }
+
+  void smooth_density() {
+    const auto density = particles_.reals(Field::density);
+    densities_.assign(density.begin(), density.end());
+    neighbourhood_.mirror().repeat(densities_);
+    for_each_pair(neighbourhood_.pairs(),
+                  SmoothDensity<Kernel, D>{gather(), densities_.data(), settings_.smoothing_share, smoothed_.data()});
+    std::ranges::copy(smoothed_, density.begin());
+  }
+
+  void evaluate_state(const Run& run) const {
+    materials_.evaluate_eos(run, Field::density, Field::specific_internal_energy, Field::pressure, Field::sound_speed);
+    materials_.release(run, Field::deviatoric_stress, Field::pressure);
+    materials_.evaluate_wave_speed(run);
+  }
+
+  template <class Pass>
+  void run_all(const Pass& pass) {
+    materials_.for_each_run([&](const Run& run) { run_through(run.range, pass); });
+  }
+
+  Particles& particles_;
+  Profile& profile_;
+  SchemeSettings settings_;
+  MaterialPasses<D, across> materials_;
+  Neighbourhood<D> neighbourhood_;
+  Anvil<D> anvil_;
+  std::pair<double, double> lower_order_{0.0, 0.0};  ///< particle steps by first and by zeroth order
+  std::vector<EulerianRecord<D>> records_;
+  std::vector<MsphCoefficients<D>> coefficients_;
+  std::vector<double> kernel_mass_, radial_part_, heat_, exchange_, energies_, densities_, smoothed_;
+  std::vector<Vector<double, D>> lopsidedness_, divergence_, fitted_;
+  std::vector<std::uint8_t> held_;
+};
+
+/// One space for both schemes and all kernels; each space is instantiated in a translation unit of its own.
+template <Space space>
+std::unique_ptr<Scheme> make_msph_in(const SchemeSetup& setup) {
+  constexpr int D = dimensions_of(space);
+  if (setup.settings.type == "msph")
+    return std::make_unique<MsphScheme<space, MsphWeights<D>, TruncatedGaussian>>(setup);
+  std::unique_ptr<Scheme> scheme;
+  const auto attempt = [&]<class K>(std::type_identity<K>) {
+    if (K::name == setup.settings.kernel) scheme = std::make_unique<MsphScheme<space, SsphWeights<K, D>, K>>(setup);
+  };
+  attempt(std::type_identity<CubicSpline>{});
+  attempt(std::type_identity<WendlandC2>{});
+  attempt(std::type_identity<TruncatedGaussian>{});
+  return scheme;
+}
+
+}  // namespace tektite
