@@ -11,10 +11,16 @@ std::unique_ptr<Scheme> make_godunov_split(const SchemeSetup& setup) {
     case Space::solid:
       return make_godunov_split_solid(setup);
     case Space::plane_stress:
+    case Space::cylindrical:
+    case Space::spherical:
+    case Space::axisymmetric:
       break;
   }
-  throw InputError(
-      {{}, "space", "plane-stress", "the scheme godunov-split does not support it", "line, plane-strain, solid"});
+  throw InputError({{},
+                    "space",
+                    std::string(name_of(setup.particles.space())),
+                    "the scheme godunov-split does not support it",
+                    "line, plane-strain, solid"});
 }
 
 }  // namespace tektite
