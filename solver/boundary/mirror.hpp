@@ -56,6 +56,12 @@ class Mirror {
     }
   }
 
+  /// The particle that a record belongs to: itself, or the one that an image shows.
+  std::size_t source_of(std::size_t record, std::size_t count) const {
+    while (record >= count) record = images_[record - count].source;
+    return record;
+  }
+
   /// Takes the component across its plane from a vector of each particle that lies on one.
   void hold(Vector<double, D>* vectors) const {
     for (std::size_t p = 0; p < planes_.size(); ++p)

@@ -113,7 +113,16 @@ void Neighbourhood<D>::list() {
   grid.build(places_, reach_);
   auto body = body_of_each(particles_);
   mirror_.repeat(body);
-  pairs_.build<D>(grid, places_, particles_.count(), reach_, search_.pairing, body);
+  const auto build = [&](const std::vector<std::uint8_t>& listed) {
+    pairs_.build<D>(grid, places_, particles_.count(), reach_, search_.pairing, body, listed);
+  };
+  if (search_.listed == Listed::all) return build({});
+  auto listed = eulerian_of_each(particles_);
+  build(listed);
+  if (search_.listed == Listed::eulerian) return;
+  for (const auto& block : pairs_.blocks())
+    for (const auto j : block.neighbours) listed[mirror_.source_of(j, particles_.count())] = 1;
+  build(listed);
 }
 
 template <int D>

@@ -14,11 +14,15 @@
 
 namespace tektite {
 
+/// Whose neighbours are listed: of particles with Eulerian kernels, or also of all that are near to one.
+enum class Listed { all, eulerian, eulerian_and_near };
+
 /// What a neighbourhood is for.
 struct Search {
   Pairing pairing = Pairing::all;
   bool orders = true;                        ///< keeps the particles ordered in space
   Field positions = Field::search_position;  ///< where it keeps the places of the last search
+  Listed listed = Listed::all;               ///< whose neighbours it lists
 };
 
 template <int D>

@@ -85,12 +85,16 @@ struct Candidates {
 template <int D, Pairing pairing>
 void build_block(PairList::Block& block, std::size_t end, const CellGrid<D>& grid,
                  std::span<const Vector<double, D>> positions, const Places<D>& places, double reach,
-                 std::span<const std::uint32_t> body) {
+                 std::span<const std::uint32_t> body, std::span<const std::uint8_t> listed) {
   Candidates<D> near;
   std::size_t last_cell = grid.cells();
   std::size_t found = 0;
   block.first.assign(1, 0);
   for (std::size_t i = block.begin; i < end; ++i) {
+    if (!listed.empty() && listed[i] == 0) {
+      block.first.push_back(static_cast<std::uint32_t>(found));
+      continue;
+    }
     if (const auto cell = grid.cell_of(positions[i]); cell != last_cell) {
       near.gather(grid, places, cell);
       last_cell = cell;
@@ -109,7 +113,8 @@ void build_block(PairList::Block& block, std::size_t end, const CellGrid<D>& gri
 
 template <int D>
 void PairList::build(const CellGrid<D>& grid, std::span<const Vector<double, D>> positions, std::size_t count,
-                     double reach, Pairing pairing, std::span<const std::uint32_t> body) {
+                     double reach, Pairing pairing, std::span<const std::uint32_t> body,
+                     std::span<const std::uint8_t> listed) {
   const Places<D> places(grid, positions, body);
   blocks_.resize((count + block_size - 1) / block_size);
 #pragma omp parallel for schedule(dynamic, 1)
@@ -119,13 +124,13 @@ void PairList::build(const CellGrid<D>& grid, std::span<const Vector<double, D>>
     const auto end = std::min(count, (b + 1) * block_size);
     switch (pairing) {
       case Pairing::all:
-        build_block<D, Pairing::all>(block, end, grid, positions, places, reach, body);
+        build_block<D, Pairing::all>(block, end, grid, positions, places, reach, body, listed);
         break;
       case Pairing::within_bodies:
-        build_block<D, Pairing::within_bodies>(block, end, grid, positions, places, reach, body);
+        build_block<D, Pairing::within_bodies>(block, end, grid, positions, places, reach, body, listed);
         break;
       case Pairing::across_bodies:
-        build_block<D, Pairing::across_bodies>(block, end, grid, positions, places, reach, body);
+        build_block<D, Pairing::across_bodies>(block, end, grid, positions, places, reach, body, listed);
         break;
     }
   }
@@ -139,10 +144,10 @@ std::size_t PairList::memory() const {
 }
 
 template void PairList::build<1>(const CellGrid<1>&, std::span<const Vector<double, 1>>, std::size_t, double, Pairing,
-                                 std::span<const std::uint32_t>);
+                                 std::span<const std::uint32_t>, std::span<const std::uint8_t>);
 template void PairList::build<2>(const CellGrid<2>&, std::span<const Vector<double, 2>>, std::size_t, double, Pairing,
-                                 std::span<const std::uint32_t>);
+                                 std::span<const std::uint32_t>, std::span<const std::uint8_t>);
 template void PairList::build<3>(const CellGrid<3>&, std::span<const Vector<double, 3>>, std::size_t, double, Pairing,
-                                 std::span<const std::uint32_t>);
+                                 std::span<const std::uint32_t>, std::span<const std::uint8_t>);
 
 }  // namespace tektite

@@ -2,12 +2,14 @@
 // Who is near whom. Neighbours stand in the order of the cells and, within a cell, of their indices, so the list
 // follows from the positions alone; each list is filled up with the particle itself to a whole number of packs.
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "core/tensor.hpp"
 #include "neighbours/cell_grid.hpp"
+#include "parallel/for_each.hpp"
 
 namespace tektite {
 
@@ -24,10 +26,29 @@ class PairList {
   };
 
   /// Lists, for the first `count` of the positions, the others nearer than `reach` that they are paired with; the rest
-  /// are images. `body` says whose each position is.
+  /// are images. `body` says whose each position is; those of which `listed` says zero get an empty list, none where it
+  /// is empty.
   template <int D>
   void build(const CellGrid<D>& grid, std::span<const Vector<double, D>> positions, std::size_t count, double reach,
-             Pairing pairing, std::span<const std::uint32_t> body);
+             Pairing pairing, std::span<const std::uint32_t> body, std::span<const std::uint8_t> listed = {});
+
+  /// Empties the list of every particle i of which wanted(i, neighbours) says no.
+  template <class Wanted>
+  void keep(const Wanted& wanted) {
+    for_each(blocks_.size(), [&](std::size_t b) {
+      auto& block = blocks_[b];
+      std::uint32_t end = 0;
+      for (std::size_t k = 0; k + 1 < block.first.size(); ++k) {
+        const std::span list(block.neighbours.data() + block.first[k], block.neighbours.data() + block.first[k + 1]);
+        block.first[k] = end;
+        if (!wanted(block.begin + k, std::span<const std::uint32_t>(list))) continue;
+        std::copy(list.begin(), list.end(), block.neighbours.begin() + end);
+        end += static_cast<std::uint32_t>(list.size());
+      }
+      block.first.back() = end;
+      block.neighbours.resize(end);
+    });
+  }
 
   const std::vector<Block>& blocks() const { return blocks_; }
   std::size_t memory() const;

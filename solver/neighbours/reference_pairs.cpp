@@ -1,5 +1,9 @@
 #include "neighbours/reference_pairs.hpp"
 
+#include <algorithm>
+
+#include "core/kernel_type.hpp"
+
 namespace tektite {
 
 std::vector<std::uint32_t> body_of_each(const Particles& particles) {
@@ -7,6 +11,14 @@ std::vector<std::uint32_t> body_of_each(const Particles& particles) {
   for (std::uint32_t k = 0; k < particles.bodies().size(); ++k)
     body.insert(body.end(), particles.bodies()[k].range.size(), k);
   return body;
+}
+
+std::vector<std::uint8_t> eulerian_of_each(const Particles& particles) {
+  const auto types = particles.integers(Field::kernel_type);
+  std::vector<std::uint8_t> eulerian(types.size());
+  std::ranges::transform(types, eulerian.begin(),
+                         [](auto type) { return type == static_cast<std::int64_t>(KernelType::eulerian) ? 1 : 0; });
+  return eulerian;
 }
 
 template <int D>

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "core/pack.hpp"
-#include "passes/reference_pair.hpp"
+#include "passes/kernel_pair.hpp"
 
 namespace tektite {
 
@@ -62,10 +62,10 @@ struct ContactForces {
     for (int k = 0; k < D; ++k) x[k] = a.x[k] - gather([k](const auto& r) { return r.x[k]; });
     const Pack h = Pack(0.5) * (a.h + gather([](const auto& r) { return r.smoothing_length; }));
     const Pack spacing = Pack(0.5) * (a.spacing + gather([](const auto& r) { return r.spacing; }));
-    const ReferencePair<Kernel, D> pair(x, h);
+    const KernelPair<Kernel, D> pair(x, h);
     auto apart = Vector<Pack, D>::zero();
     apart[0] = spacing;
-    const ReferencePair<Kernel, D> at_spacing(apart, h);
+    const KernelPair<Kernel, D> at_spacing(apart, h);
     using std::experimental::pow;
     const Pack ratio = pair.value / at_spacing.value;  // zero beyond the support
     Pack modulus = smaller(a.bulk_modulus, gather([](const auto& r) { return r.bulk_modulus; }));

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/tensor.hpp"
+#include "passes/across.hpp"
 #include "passes/lagrangian_records.hpp"
 
 namespace tektite {
@@ -22,40 +23,9 @@ struct PredictLagrangianMotion {
   }
 };
 
-template <int D>
-double determinant(const Tensor<double, D>& f) {
-  if constexpr (D == 1)
-    return f(0, 0);
-  else if constexpr (D == 2)
-    return f(0, 0) * f(1, 1) - f(0, 1) * f(1, 0);
-  else
-    return f(0, 0) * (f(1, 1) * f(2, 2) - f(1, 2) * f(2, 1)) - f(0, 1) * (f(1, 0) * f(2, 2) - f(1, 2) * f(2, 0)) +
-           f(0, 2) * (f(1, 0) * f(2, 1) - f(1, 1) * f(2, 0));
-}
-
-/// C = det(F) F⁻ᵀ
-template <int D>
-Tensor<double, D> cofactor(const Tensor<double, D>& f) {
-  Tensor<double, D> c;
-  if constexpr (D == 1) {
-    c(0, 0) = 1.0;
-  } else if constexpr (D == 2) {
-    c(0, 0) = f(1, 1);
-    c(0, 1) = -f(1, 0);
-    c(1, 0) = -f(0, 1);
-    c(1, 1) = f(0, 0);
-  } else {
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) {
-        const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-        c(i, j) = f(i1, j1) * f(i2, j2) - f(i1, j2) * f(i2, j1);
-      }
-  }
-  return c;
-}
-
 /// From F and its rate in the middle of a step: cofactor and J, L = Ḟ F⁻¹, the density m/(V_0 J) and the energy there,
-/// e + (σ:L/ρ + q) dt/2 with the stress at the step's beginning.
+/// e + (σ:L/ρ + q) dt/2 with the stress at the step's beginning. An Eulerian particle's density and energy follow from
+/// the L of the step before, and its J from its density.
 template <int D>
 struct Deform {
   const ReferenceRecord<D>* reference;  ///< without volume where the particle has failed: it is not deformed any more
@@ -86,14 +56,19 @@ struct Deform {
       return;
     }
     r.cofactor = cofactor(deformation[i]);
-    r.jacobian = determinant(deformation[i]);
-    for (int a = 0; a < D; ++a)
-      for (int b = 0; b < D; ++b) {  // F⁻¹ = Cᵀ/J
-        double sum = 0.0;
-        for (int k = 0; k < D; ++k) sum += rate[i](a, k) * r.cofactor(b, k);
-        l(a, b) = sum / r.jacobian;
-      }
-    half_density[i] = mass[i] / (reference_volume[i] * r.jacobian);
+    if (reference[i].lagrangian != 0.0) {
+      r.jacobian = determinant(deformation[i]);
+      for (int a = 0; a < D; ++a)
+        for (int b = 0; b < D; ++b) {  // F⁻¹ = Cᵀ/J
+          double sum = 0.0;
+          for (int k = 0; k < D; ++k) sum += rate[i](a, k) * r.cofactor(b, k);
+          l(a, b) = sum / r.jacobian;
+        }
+      half_density[i] = mass[i] / (reference_volume[i] * r.jacobian);
+    } else {
+      half_density[i] = density[i] * density_factor(half_step * trace(l));
+      r.jacobian = mass[i] / (reference_volume[i] * half_density[i]);
+    }
     const double power = contract(deviatoric_stress[i], symmetric_part(l)) - pressure[i] * trace(l);
     half_energy[i] = energy[i] + half_step * (power / density[i] + viscous_power[i]);
   }
@@ -126,6 +101,7 @@ struct AssembleStress {
 /// Velocity, place, density and energy at the end of the step. The stress power P : Ḟ V_0/m is σ : L/ρ.
 template <int D>
 struct AdvanceLagrangianMotion {
+  const ReferenceRecord<D>* reference;
   const MotionRecord<D>* motion;
   const Symmetric<double, D>* half_deviatoric_stress;
   const double* half_pressure;
@@ -145,7 +121,8 @@ struct AdvanceLagrangianMotion {
     position[i] = motion[i].x + (0.5 * step) * velocity[i];
     const auto& l = velocity_gradient[i];
     const double power = contract(half_deviatoric_stress[i], symmetric_part(l)) - half_pressure[i] * trace(l);
-    density[i] = half_density[i] * std::exp(-0.5 * step * trace(l));
+    density[i] = reference[i].lagrangian != 0.0 ? half_density[i] * std::exp(-0.5 * step * trace(l))
+                                                : density[i] * density_factor(step * trace(l));
     energy[i] += step * (power / half_density[i] + viscous_power[i]);
     viscous_work[i] += step * viscous_power[i];
   }

@@ -1,31 +1,22 @@
 #pragma once
 
 #include "core/tensor.hpp"
-#include "passes/reference_pair.hpp"
+#include "passes/correction.hpp"
 
 namespace tektite {
 
-template <int D>
-void mirror_tensor(Tensor<double, D>& t, int axis) {
-  for (int k = 0; k < D; ++k)
-    if (k != axis) {
-      t(axis, k) = -t(axis, k);
-      t(k, axis) = -t(k, axis);
-    }
-}
-
-/// What a total-Lagrangian pair needs of the reference configuration; made once.
+/// What a total-Lagrangian pair needs of the reference configuration; made once, but for the kernel type.
 template <int D>
 struct ReferenceRecord {
   Vector<double, D> x;  ///< X, m
   double volume;        ///< V_0
   double smoothing_length;
+  double lagrangian;  ///< 1 where its kernel is of the reference configuration, 0 where it is Eulerian
   Correction<double, D> correction;
 
   void mirror(int axis, double at) {
     x[axis] = 2.0 * at - x[axis];
-    mirror_tensor(correction.matrix, axis);
-    correction.shift[axis] = -correction.shift[axis];
+    correction.mirror(axis);
   }
 };
 

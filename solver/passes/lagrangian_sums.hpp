@@ -3,71 +3,10 @@
 #include <cstdint>
 
 #include "core/pack.hpp"
+#include "passes/kernel_pair.hpp"
 #include "passes/lagrangian_records.hpp"
 
 namespace tektite {
-
-/// Sums of the reference configuration from which the mixed correction follows: S = Σ V W, itself included, and
-/// g = Σ V ∇W; then, with these, M = Σ V (∇W - (g/S) W)/S ⊗ (X_b - X_a), whose inverse is K.
-template <class Kernel, int D>
-struct CorrectionSums {
-  const ReferenceRecord<D>* records;
-  bool second;  ///< S and g are known (in `correction`), M is wanted
-  double* kernel_sum;
-  Vector<double, D>* gradient_sum;
-  Tensor<double, D>* moment;
-
-  struct Self {
-    Vector<Pack, D> x;
-    Pack h;
-    Correction<Pack, D> correction;
-  };
-  struct Sums {
-    Pack kernel = 0.0;
-    Vector<Pack, D> gradient = Vector<Pack, D>::zero();
-    Tensor<Pack, D> moment = Tensor<Pack, D>::zero();
-  };
-
-  Self begin(std::size_t i) const {
-    Self a;
-    for (int k = 0; k < D; ++k) {
-      a.x[k] = records[i].x[k];
-      a.correction.shift[k] = records[i].correction.shift[k];
-    }
-    for (int k = 0; k < D * D; ++k) a.correction.matrix.c[k] = records[i].correction.matrix.c[k];
-    a.h = records[i].smoothing_length;
-    return a;
-  }
-
-  void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
-    const auto gather = [&](auto member) {
-      return Pack([&](auto lane) { return member(records[j[static_cast<std::size_t>(lane)]]); });
-    };
-    Vector<Pack, D> x;
-    for (int k = 0; k < D; ++k) x[k] = a.x[k] - gather([k](const auto& r) { return r.x[k]; });
-    const ReferencePair<Kernel, D> pair(x,
-                                        Pack(0.5) * (a.h + gather([](const auto& r) { return r.smoothing_length; })));
-    const Pack volume = gather([](const auto& r) { return r.volume; }) * is_other(x);
-    sums.kernel += volume * pair.value;
-    const auto corrected = a.correction.gradient(pair.slope, pair.value);
-    for (int r = 0; r < D; ++r) {
-      sums.gradient[r] += volume * pair.slope[r];
-      for (int c = 0; c < D; ++c) sums.moment(r, c) -= volume * corrected[r] * x[c];
-    }
-  }
-
-  void end(std::size_t i, const Sums& sums) const {
-    if (second) {
-      for (int k = 0; k < D * D; ++k) moment[i].c[k] = sum(sums.moment.c[k]);
-    } else {
-      const double h = records[i].smoothing_length;
-      double constant = Kernel::template normalisation<D>();
-      for (int k = 0; k < D; ++k) constant /= h;
-      kernel_sum[i] = sum(sums.kernel) + records[i].volume * constant * Kernel::shape(0.0);
-      for (int k = 0; k < D; ++k) gradient_sum[i][k] = sum(sums.gradient[k]);
-    }
-  }
-};
 
 /// Deformation of Young et al. (2021), eq. 2 and 13: F = I + Σ V_b0 (u_b - u_a) ⊗ ∇̃_0W̃ and its rate.
 template <class Kernel, int D>
@@ -110,7 +49,7 @@ struct DeformationSums {
       u[k] = from(motion, [k](const auto& r) { return r.x[k]; }) - a.x[k] + x[k];
       v[k] = from(motion, [k](const auto& r) { return r.v[k]; }) - a.v[k];
     }
-    const ReferencePair<Kernel, D> pair(
+    const KernelPair<Kernel, D> pair(
         x, Pack(0.5) * (a.h + from(reference, [](const auto& r) { return r.smoothing_length; })));
     const Pack volume = from(reference, [](const auto& r) { return r.volume; }) * is_other(x);
     const auto gradient = a.correction.gradient(pair.slope, pair.value);
@@ -134,7 +73,8 @@ struct DeformationSums {
 ///   a_a = -(1/m_a) Σ V_a0 V_b0 (P_b ∇̃_b0 W̃_ba - P_a ∇̃_a0 W̃_ab)
 ///       + Σ ½ m_b Π (J_a⁻¹ F_b⁻ᵀ ∇̃_b0 W̃_ba - J_b⁻¹ F_a⁻ᵀ ∇̃_a0 W̃_ab)
 ///   q_a = Σ ¼ m_b Π (v_b - v_a) · (the same bracket)
-/// with m_b/(J_a J_b) = V_b0 ρ_b/J_a and the cofactor C = J F⁻ᵀ.
+/// with m_b/(J_a J_b) = V_b0 ρ_b/J_a, J_a = m_a/(V_a0 ρ_a) and the cofactor C = J F⁻ᵀ. Two Eulerian particles do not
+/// act on each other here.
 template <class Kernel, class Viscosity, int D>
 struct LagrangianForces {
   const ReferenceRecord<D>* reference;
@@ -193,7 +133,7 @@ struct LagrangianForces {
     for (int k = 0; k < D * D; ++k)
       correction.matrix.c[k] = from(reference, [k](const auto& r) { return r.correction.matrix.c[k]; });
     const Pack h = Pack(0.5) * (a.h + from(reference, [](const auto& r) { return r.smoothing_length; }));
-    const ReferencePair<Kernel, D> pair(reference_x, h);
+    const KernelPair<Kernel, D> pair(reference_x, h);
     const Pack volume = from(reference, [](const auto& r) { return r.volume; }) * is_other(reference_x);
 
     const auto here = a.correction.gradient(pair.slope, pair.value);              // ∇̃_a0 W̃_ab
@@ -216,13 +156,17 @@ struct LagrangianForces {
       sums.viscous[k] += damping * bracket[k];
     }
     sums.heat += damping * dot(v, bracket);
-    const auto near = dot(reference_x, reference_x) < Pack(Kernel::support * Kernel::support) * h * h;
-    sums.signal = larger(sums.signal, select(near, speed, Pack(0.0)));
+    sums.signal = larger(sums.signal, select(pair.value * volume > Pack(0.0), speed, Pack(0.0)));
   }
 
   void end(std::size_t i, const Sums& sums) const {
+    if (reference[i].lagrangian == 0.0) {
+      acceleration[i] = Vector<double, D>::zero();
+      viscous_power[i] = viscous_signal[i] = 0.0;
+      return;
+    }
     const double over_mass = reference[i].volume / mass[i];
-    const double over_jacobian = 1.0 / stress[i].jacobian;
+    const double over_jacobian = over_mass * stress[i].density;
     for (int k = 0; k < D; ++k)
       acceleration[i][k] = over_mass * sum(sums.force[k]) + 0.5 * over_jacobian * sum(sums.viscous[k]);
     viscous_power[i] = -0.25 * over_jacobian * sum(sums.heat);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 
@@ -13,6 +15,7 @@
 #include "passes/hold_clamped.hpp"
 #include "passes/predict_motion.hpp"
 #include "passes/smoothing.hpp"
+#include "schemes/corrected_sums.hpp"
 #include "schemes/material_passes.hpp"
 #include "schemes/scheme.hpp"
 #include "schemes/state_sums.hpp"
@@ -34,6 +37,7 @@ class EulerianScheme final : public Scheme {
         smoothing_(smallest_and_largest(setup.particles)),
         neighbourhood_(setup.particles, Kernel::support * smoothing_.second, setup.symmetry,
                        {setup.settings.contact ? Pairing::within_bodies : Pairing::all}) {
+    if (CorrectedSums<Kernel, D>::needed(settings_)) corrected_.emplace(settings_);
     if (settings_.contact)
       contact_.emplace(particles_, setup.materials, neighbourhood_.support(), setup.symmetry, *settings_.contact);
   }
@@ -87,9 +91,14 @@ class EulerianScheme final : public Scheme {
     return body_contact(neighbourhood_.pairs(), particles_.bodies(), records_, Kernel::support);
   }
 
+  std::string remark() const override {
+    if (!corrected_ || corrected_->without() == 0) return {};
+    return fmt::format("{} particles have too few neighbours for the correction and go without", corrected_->without());
+  }
+
   std::size_t memory() const override {
     return neighbourhood_.memory() + (contact_ ? contact_->memory() : 0) +
-           records_.capacity() * sizeof(EulerianRecord<D>);
+           records_.capacity() * sizeof(EulerianRecord<D>) + (corrected_ ? corrected_->memory() : 0);
   }
 
  private:
@@ -117,7 +126,9 @@ class EulerianScheme final : public Scheme {
   void evaluate_rates(double dt) {
     predict(0.5 * dt);
     const auto scope = profile_.time("pairs");
-    if (smoothing_.first == smoothing_.second)
+    if (corrected_)
+      corrected_->evaluate(particles_, neighbourhood_.pairs(), neighbourhood_.mirror(), records_, nullptr);
+    else if (smoothing_.first == smoothing_.second)
       sum_over_pairs<UniformSmoothing>();
     else
       sum_over_pairs<MeanSmoothing>();
@@ -207,6 +218,7 @@ class EulerianScheme final : public Scheme {
   MaterialPasses<D, plane_stress> materials_;
   std::pair<double, double> smoothing_;  ///< smallest and largest h
   Neighbourhood<D> neighbourhood_;
+  std::optional<CorrectedSums<Kernel, D>> corrected_;
   std::optional<KernelContact<D, Kernel>> contact_;
   std::vector<EulerianRecord<D>> records_;
 };

@@ -18,7 +18,8 @@ struct RegisteredScheme {
   std::unique_ptr<Scheme> (*make)(const SchemeSetup&);
 };
 
-constexpr std::array<RegisteredScheme, 4> schemes{{
+constexpr std::array<RegisteredScheme, 5> schemes{{
+    {"adaptle", make_total_lagrangian},
     {"eulerian", make_eulerian},
     {"godunov-pm", make_godunov_pm},
     {"godunov-split", make_godunov_split},
@@ -45,10 +46,19 @@ SchemeSettings read_scheme(Section& root, const Scene& scene) {
   auto section = root.section_or_empty("scheme");
   settings.type = section.choice("type", scheme_names(), "eulerian");
   settings.courant = section.quantity("courant", dimension::none, {0.0, 1.0, true}, 0.25);
-  const bool lagrangian = settings.type == "total-lagrangian";
-  const std::vector<std::string> corrections =
-      lagrangian ? std::vector<std::string>{"mixed", "none"} : std::vector<std::string>{"none"};
-  settings.corrected = section.choice("correction", corrections, corrections.front()) == "mixed";
+  const bool adaptle = settings.type == "adaptle", eulerian = settings.type == "eulerian";
+  const bool godunov = settings.type.starts_with("godunov");
+  std::vector<std::string> corrections{"none"};
+  if (!godunov) corrections.emplace_back("mixed");
+  if (adaptle) corrections.emplace_back("reference");  // of what is total-Lagrangian alone
+  const auto correction = section.choice("correction", corrections, eulerian || godunov ? "none" : "mixed");
+  settings.corrected = !eulerian && correction != "none";
+  settings.corrected_eulerian = (eulerian || adaptle) && correction == "mixed";
+  if (settings.corrected_eulerian && section.has("correction_limit"))
+    settings.correction_limit = section.quantity("correction_limit", dimension::none, {1.0, limits::infinite, true});
+  if (section.has("artificial_stress") && (eulerian || adaptle))
+    settings.artificial_stress = read_artificial_stress(section.section("artificial_stress"), scene.space, adaptle);
+  if (adaptle) settings.conversion = read_conversion(section);
   if (settings.type == "godunov-split") settings.godunov = std::make_shared<GodunovSettings>(read_godunov(section));
   section.finish();
   settings.kernel = scene.kernel;

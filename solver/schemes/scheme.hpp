@@ -1,6 +1,7 @@
 #pragma once
 // What the run needs of a scheme: bring the particles from t to t + dt, and say how large dt may be.
 
+#include <limits>
 #include <map>
 #include <memory>
 #include <string>
@@ -14,6 +15,7 @@
 #include "physics/kernels/kernel.hpp"
 #include "physics/material.hpp"
 #include "physics/viscosity/viscosity.hpp"
+#include "schemes/adaptle_settings.hpp"
 
 namespace tektite {
 
@@ -23,8 +25,12 @@ struct SchemeSettings {
   std::string type;      ///< name in the registry
   double courant = 0.0;  ///< C in the time step limits
   std::string kernel;
-  Viscosity viscosity;     ///< of the schemes that are not Godunov's
-  bool corrected = false;  ///< mixed kernel-and-gradient correction
+  Viscosity viscosity;              ///< of the schemes that are not Godunov's
+  bool corrected = false;           ///< mixed correction of kernels of the reference configuration
+  bool corrected_eulerian = false;  ///< mixed correction of Eulerian kernels
+  double correction_limit = std::numeric_limits<double>::infinity();  ///< C_f, of Eulerian kernels
+  std::optional<ArtificialStress> artificial_stress;                  ///< of Eulerian kernels
+  Conversion conversion;                                              ///< of total-Lagrangian particles
   std::optional<ContactSettings> contact;
   std::shared_ptr<const GodunovSettings> godunov;  ///< of the scheme godunov-split
 };
@@ -67,7 +73,7 @@ class Scheme {
   virtual Ledger ledger() = 0;
   /// Whether particles of different bodies act on each other.
   virtual bool in_contact() const = 0;
-  /// What a user should know about how it started; may be empty.
+  /// What a user should know about its particles now; may be empty.
   virtual std::string remark() const { return {}; }
   /// Bytes that the scheme holds beside the fields.
   virtual std::size_t memory() const = 0;

@@ -8,8 +8,11 @@ std::unique_ptr<Scheme> make_total_lagrangian_in(const SchemeSetup& setup);
 
 std::unique_ptr<Scheme> make_total_lagrangian(const SchemeSetup& setup) {
   if (setup.particles.bodies().size() > 1 && !setup.settings.contact)
-    throw InputError(
-        {{}, "contact", {}, "total-lagrangian bodies meet by contact alone, and the scene has none", "[contact]"});
+    throw InputError({{},
+                      "contact",
+                      {},
+                      setup.settings.type + " bodies meet by contact alone, and the scene has none",
+                      "[contact]"});
   switch (setup.particles.space()) {
     case Space::line:
       return make_total_lagrangian_in<Space::line>(setup);
@@ -20,8 +23,11 @@ std::unique_ptr<Scheme> make_total_lagrangian(const SchemeSetup& setup) {
     case Space::plane_stress:
       break;
   }
-  throw InputError(
-      {{}, "space", "plane-stress", "the scheme total-lagrangian does not support it", "line, plane-strain, solid"});
+  throw InputError({{},
+                    "space",
+                    "plane-stress",
+                    "the scheme " + setup.settings.type + " does not support it",
+                    "line, plane-strain, solid"});
 }
 
 }  // namespace tektite

@@ -10,14 +10,23 @@
 #include "neighbours/reference_pairs.hpp"
 #include "parallel/for_each_pair.hpp"
 #include "passes/hold_clamped.hpp"
+#include "passes/interface_stress.hpp"
 #include "passes/lagrangian_motion.hpp"
 #include "passes/lagrangian_sums.hpp"
+#include "schemes/converter.hpp"
+#include "schemes/eulerian_part.hpp"
 #include "schemes/material_passes.hpp"
+#include "schemes/mixed_correction.hpp"
 #include "schemes/scheme.hpp"
 #include "schemes/state_sums.hpp"
 
 namespace tektite {
 
+/// Kernels of the reference configuration; for the scheme adaptle also particles with Eulerian kernels, coupled as in
+/// Young et al. (2021), section 2.2: a total-Lagrangian particle sums over its neighbours of the reference
+/// configuration, for which Eulerian ones among them have a deformation gradient there (eq. 13), and an Eulerian
+/// particle sums over those of the present one. Each sum is of one kind, so that it is consistent; in return what two
+/// particles of different kinds do to each other is equal and opposite only as far as both descriptions agree.
 template <Space space, class Kernel>
 class TotalLagrangianScheme final : public Scheme {
   static constexpr int D = dimensions_of(space);
@@ -29,8 +38,10 @@ class TotalLagrangianScheme final : public Scheme {
         settings_(setup.settings),
         viscosity_(std::get<MonaghanViscosity>(setup.settings.viscosity)),
         materials_(setup.particles, setup.materials),
-        mirror_(setup.symmetry) {
+        mirror_(setup.symmetry),
+        converter_(setup.settings.conversion) {
     if (settings_.contact) contact_.emplace(particles_, setup.materials, support(), setup.symmetry, *settings_.contact);
+    if (settings_.type == "adaptle") eulerian_.emplace(particles_, support(), setup.symmetry, settings_);
   }
 
   void start() override {
@@ -46,6 +57,7 @@ class TotalLagrangianScheme final : public Scheme {
       p.scalars(Field::reference_volume)[i] = p.scalars(Field::mass)[i] / p.scalars(Field::density)[i];
     materials_.start();
     prepare();
+    if (eulerian_) eulerian_->start();
     if (contact_) contact_->start();
     materials_.for_each_run([&](const auto& run) { evaluate_state(run); });
     evaluate_rates(0.0);
@@ -53,19 +65,23 @@ class TotalLagrangianScheme final : public Scheme {
 
   void restore(const std::map<std::string, double>& state) override {
     prepare();
+    if (eulerian_) eulerian_->restore(state);
     if (contact_) contact_->restore(state);
   }
   void save(std::map<std::string, double>& state) const override {
+    if (eulerian_) eulerian_->save(state);
     if (contact_) contact_->save(state);
   }
 
   void step(double dt) override {
-    if (contact_) {
+    {
       const auto scope = profile_.time("search");
-      contact_->prepare(dt, false);
+      if (contact_) contact_->prepare(dt, false);
+      if (eulerian_) eulerian_->prepare(dt);
     }
     evaluate_rates(dt);
     advance(dt);
+    if (settings_.conversion.by != Conversion::By::none) convert();
   }
 
   TimeStep stable_step() const override {
@@ -79,14 +95,19 @@ class TotalLagrangianScheme final : public Scheme {
 
   bool in_contact() const override { return contact_ && contact_->touching(); }
   std::string remark() const override {
-    if (uncorrected_ == 0) return {};
-    return fmt::format("{} particles have too few neighbours for the correction and go without", uncorrected_);
+    std::string text;
+    if (eulerian_ && eulerian_->any()) text = fmt::format("{} particles are Eulerian", eulerian_->count());
+    const auto without = uncorrected_ + (eulerian_ ? eulerian_->without_correction() : 0);
+    if (without > 0)
+      text += fmt::format("{}{} particles have too few neighbours for the correction and go without",
+                          text.empty() ? "" : "; ", without);
+    return text;
   }
 
   std::size_t memory() const override {
-    return pairs_.memory() + (contact_ ? contact_->memory() : 0) + reference_.capacity() * sizeof(ReferenceRecord<D>) +
-           motion_.capacity() * sizeof(MotionRecord<D>) + stress_.capacity() * sizeof(StressRecord<D>) +
-           2 * deformation_.capacity() * sizeof(Tensor<double, D>);
+    return pairs_.memory() + (contact_ ? contact_->memory() : 0) + (eulerian_ ? eulerian_->memory() : 0) +
+           reference_.capacity() * sizeof(ReferenceRecord<D>) + motion_.capacity() * sizeof(MotionRecord<D>) +
+           stress_.capacity() * sizeof(StressRecord<D>) + 2 * deformation_.capacity() * sizeof(Tensor<double, D>);
   }
 
  private:
@@ -113,51 +134,36 @@ class TotalLagrangianScheme final : public Scheme {
       r.x = particles_.template vectors<D>(Field::reference_position)[i];
       r.volume = particles_.scalars(Field::reference_volume)[i];
       r.smoothing_length = particles_.scalars(Field::smoothing_length)[i];
-      r.correction.matrix = unit();
-      r.correction.shift = Vector<double, D>::zero();
+      r.correction = Correction<double, D>::none();
     }
-    mirror_.fill(reference_, count);
-    if (settings_.corrected) correct();
+    note_kernel_types();
+    if (settings_.corrected) uncorrected_ = MixedCorrection<Kernel, D>().find(pairs_, mirror_, reference_, count);
+    if (eulerian_) drop_pairs();
   }
 
-  static Tensor<double, D> unit() {
-    auto one = Tensor<double, D>::zero();
-    for (int k = 0; k < D; ++k) one(k, k) = 1.0;
-    return one;
+  /// Copies who is Eulerian into the records.
+  void note_kernel_types() {
+    const auto types = particles_.integers(Field::kernel_type);
+    for_each(particles_.count(), [&](std::size_t i) {
+      reference_[i].lagrangian = types[i] == static_cast<std::int64_t>(KernelType::total_lagrangian) ? 1.0 : 0.0;
+    });
+    mirror_.fill(reference_, particles_.count());
   }
 
-  /// The mixed correction; a particle whose matrix cannot be inverted keeps the plain gradient and is counted.
-  void correct() {
-    const auto count = particles_.count();
-    std::vector<double> kernel(count);
-    std::vector<Vector<double, D>> gradient(count);
-    CorrectionSums<Kernel, D> sums{reference_.data(), false, kernel.data(), gradient.data(), rate_.data()};
-    for_each_pair(pairs_, sums);
-    for (std::size_t i = 0; i < count; ++i) {
-      reference_[i].correction.shift = (1.0 / kernel[i]) * gradient[i];
-      for (int k = 0; k < D; ++k) reference_[i].correction.matrix(k, k) = 1.0 / kernel[i];
-    }
-    mirror_.fill(reference_, count);
-    sums.second = true;
-    for_each_pair(pairs_, sums);
-    uncorrected_ = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      auto& correction = reference_[i].correction;
-      const auto& m = rate_[i];
-      // K/S with K = M⁻¹; the moment of a whole neighbourhood is near the unit tensor.
-      constexpr double singular = 1e-3;
-      const double determinant_of_m = determinant(m);
-      if (determinant_of_m > singular) {
-        const auto c = cofactor(m);
-        for (int a = 0; a < D; ++a)
-          for (int b = 0; b < D; ++b) correction.matrix(a, b) = c(b, a) / determinant_of_m / kernel[i];
-      } else {
-        correction.matrix = unit();
-        correction.shift = Vector<double, D>::zero();
-        ++uncorrected_;
-      }
-    }
-    mirror_.fill(reference_, count);
+  /// Drops the reference neighbours of Eulerian particles that have no total-Lagrangian one among them any more.
+  void drop_pairs() {
+    pairs_.keep([this](std::size_t i, std::span<const std::uint32_t> neighbours) {
+      const auto lagrangian = [this](std::size_t j) { return reference_[j].lagrangian != 0.0; };
+      return lagrangian(i) || std::ranges::any_of(neighbours, lagrangian);
+    });
+  }
+
+  void convert() {
+    const auto scope = profile_.time("conversion");
+    if (!converter_.convert(particles_, pairs_, mirror_, reference_, deformation_, stress_)) return;
+    note_kernel_types();
+    drop_pairs();
+    eulerian_->renew();
   }
 
   void evaluate_rates(double dt) {
@@ -188,6 +194,10 @@ class TotalLagrangianScheme final : public Scheme {
                               reference_.data(), motion_.data(), stress_.data(), viscosity_, p.scalars(Field::mass),
                               p.template vectors<D>(Field::acceleration), p.scalars(Field::viscous_power),
                               p.scalars(Field::viscous_signal)});
+    if (eulerian_) {
+      add_interface_stress();
+      eulerian_->evaluate(motion_);
+    }
     if (contact_)
       contact_->add_forces([this](std::size_t i) { return motion_[i].x; }, p.template vectors<D>(Field::acceleration));
     if (p.has(Field::clamped))
@@ -196,12 +206,37 @@ class TotalLagrangianScheme final : public Scheme {
     mirror_.hold(p.template vectors<D>(Field::acceleration));
   }
 
+  /// Artificial stress of Eulerian particles on total-Lagrangian ones, where the scene asks for it.
+  void add_interface_stress() {
+    if constexpr (D == 2) {
+      const auto& settings = settings_.artificial_stress;
+      if (!settings || settings->interface != ArtificialStressInterface::both || !eulerian_->any()) return;
+      auto& p = particles_;
+      artificial_.resize(p.count() + mirror_.images());
+      for (const auto& body : p.bodies())
+        for_each(body.range.size(), [&](std::size_t n) {
+          const std::size_t i = body.range.begin + n;
+          const auto& deviator = p.template symmetrics<D>(Field::half_deviatoric_stress)[i];
+          const double pressure = p.scalars(Field::half_pressure)[i];
+          const double stress[3] = {deviator(0, 0) - pressure, deviator(1, 1) - pressure, deviator(0, 1)};
+          settings->tensor(stress, p.scalars(Field::half_density)[i], artificial_[i].r);
+          artificial_[i].spacing = body.spacing;
+        });
+      mirror_.fill(artificial_, p.count());
+      for_each_pair(
+          pairs_, InterfaceStress<Kernel>{reference_.data(), motion_.data(), stress_.data(), artificial_.data(),
+                                          *settings, p.scalars(Field::mass), p.template vectors<D>(Field::acceleration),
+                                          p.scalars(Field::viscous_power)});
+    }
+  }
+
   /// A failed particle leaves the sums: nobody has it for a neighbour any more (the TLAG run of Young et al. 2021).
+  /// Where failed particles become Eulerian instead, they bear what is left of them there.
   void leave_failed_out() {
-    if (!particles_.has(Field::damage)) return;
+    if (!particles_.has(Field::damage) || settings_.conversion.by == Conversion::By::damage) return;
     const double* damage = particles_.scalars(Field::damage);
     for_each(particles_.count(), [&](std::size_t i) {
-      if (damage[i] >= 1.0) reference_[i].volume = 0.0;
+      if (damage[i] >= 1.0 && reference_[i].lagrangian != 0.0) reference_[i].volume = 0.0;
     });
     mirror_.fill(reference_, particles_.count());
   }
@@ -231,14 +266,14 @@ class TotalLagrangianScheme final : public Scheme {
     const auto scope = profile_.time("advance");
     auto& p = particles_;
     materials_.for_each_run([&](const auto& run) {
-      run_through(
-          run.range,
-          AdvanceLagrangianMotion<D>{
-              motion_.data(), p.template symmetrics<D>(Field::half_deviatoric_stress), p.scalars(Field::half_pressure),
-              p.scalars(Field::half_density), p.template vectors<D>(Field::acceleration),
-              p.template tensors<D>(Field::velocity_gradient), p.scalars(Field::viscous_power), dt,
-              p.template vectors<D>(Field::position), p.template vectors<D>(Field::velocity), p.scalars(Field::density),
-              p.scalars(Field::specific_internal_energy), p.scalars(Field::viscous_work)});
+      run_through(run.range,
+                  AdvanceLagrangianMotion<D>{
+                      reference_.data(), motion_.data(), p.template symmetrics<D>(Field::half_deviatoric_stress),
+                      p.scalars(Field::half_pressure), p.scalars(Field::half_density),
+                      p.template vectors<D>(Field::acceleration), p.template tensors<D>(Field::velocity_gradient),
+                      p.scalars(Field::viscous_power), dt, p.template vectors<D>(Field::position),
+                      p.template vectors<D>(Field::velocity), p.scalars(Field::density),
+                      p.scalars(Field::specific_internal_energy), p.scalars(Field::viscous_work)});
       materials_.advance_strength(run, dt);
       materials_.advance_damage(run, dt);
       evaluate_state(run);
@@ -264,6 +299,9 @@ class TotalLagrangianScheme final : public Scheme {
   std::vector<MotionRecord<D>> motion_;
   std::vector<StressRecord<D>> stress_;
   std::vector<Tensor<double, D>> deformation_, rate_;
+  std::optional<EulerianPart<Kernel, D>> eulerian_;  ///< of the scheme adaptle
+  Converter<D> converter_;
+  std::vector<ArtificialStressRecord> artificial_;
 };
 
 /// One space for all kernels; each space is instantiated in a translation unit of its own.

@@ -15,17 +15,20 @@ namespace {
 constexpr std::array spaces{Space::line, Space::plane_strain, Space::plane_stress, Space::solid};
 constexpr int steps = 40;  // several neighbour lists long
 
-/// The impact by each scheme that the space supports, with and without contact.
+/// The impact by each scheme that the space supports, with and without contact; with conversion under way.
 std::vector<std::string> scenes(Space space) {
   const std::string contact = "contact.model = 'kernel-penalty'\n";
   std::vector<std::string> all{test::impact_scene, contact + test::impact_scene};
-  if (space != Space::plane_stress) all.push_back(contact + "scheme.type = 'total-lagrangian'\n" + test::impact_scene);
-  if (space != Space::plane_stress)
-    for (const std::string scheme : {"type = 'godunov-pm'", "type = 'godunov-split', order = 1",
-                                     "type = 'godunov-split', order = 2, riemann.model = 'two-shock'",
-                                     "type = 'godunov-split', splitting = 'strang'"})
-      all.push_back("scheme = { " + scheme + " }\n" + test::impact_scene);
-  if (space != Space::plane_stress) all.push_back(contact + "scheme.type = 'godunov-split'\n" + test::impact_scene);
+  if (space != Space::plane_stress) {
+    all.push_back(contact + "scheme.type = 'total-lagrangian'\n" + test::impact_scene);
+    all.push_back(contact +
+                  "scheme = { type = 'adaptle', correction = 'reference', conversion = 'strain', "
+                  "conversion_strain = 0.1 }\n" +
+                  test::impact_scene);
+  }
+  if (dimensions_of(space) == 2)
+    all.push_back("scheme = { correction = 'mixed', correction_limit = 10.0, artificial_stress = {} }\n" +
+                  test::impact_scene);
   return all;
 }
 

@@ -10,6 +10,7 @@
 #include "passes/lagrangian_motion.hpp"
 #include "passes/lagrangian_sums.hpp"
 #include "physics/kernels/kernel.hpp"
+#include "schemes/mixed_correction.hpp"
 
 using namespace tektite;
 
@@ -50,30 +51,9 @@ class Reference {
   Reference() : particles_(disordered_block<D>()), mirror_({}), pairs_(reference_pairs<D>(particles_, mirror_, 2.8)) {
     const auto count = particles_.count();
     records_.resize(count);
-    std::vector<double> kernel(count);
-    std::vector<Vector<double, D>> gradient(count);
-    std::vector<Tensor<double, D>> moment(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      auto& r = records_[i];
-      r = {particles_.vectors<D>(Field::reference_position)[i],
-           1.0,
-           1.4,
-           {Tensor<double, D>::zero(), Vector<double, D>::zero()}};
-      for (int k = 0; k < D; ++k) r.correction.matrix(k, k) = 1.0;
-    }
-    CorrectionSums<CubicSpline, D> sums{records_.data(), false, kernel.data(), gradient.data(), moment.data()};
-    for_each_pair(pairs_, sums);
-    for (std::size_t i = 0; i < count; ++i) {
-      records_[i].correction.shift = (1.0 / kernel[i]) * gradient[i];
-      for (int k = 0; k < D; ++k) records_[i].correction.matrix(k, k) = 1.0 / kernel[i];
-    }
-    sums.second = true;
-    for_each_pair(pairs_, sums);
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto c = cofactor(moment[i]);
-      for (int a = 0; a < D; ++a)
-        for (int b = 0; b < D; ++b) records_[i].correction.matrix(a, b) = c(b, a) / determinant(moment[i]) / kernel[i];
-    }
+    for (std::size_t i = 0; i < count; ++i)
+      records_[i] = {particles_.vectors<D>(Field::reference_position)[i], 1.0, 1.4, 1.0, Correction<double, D>::none()};
+    REQUIRE(MixedCorrection<CubicSpline, D>().find(pairs_, mirror_, records_, count) == 0);
   }
 
   /// body(F, dF/dt) of every particle.

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/tensor_algebra.hpp"
+
+namespace tektite {
+
+/// Mixed kernel-and-gradient correction of a particle, Young et al. (2021), eq. 3-5: with S = Σ V W and g = Σ V ∇W,
+///   ∇̃W̃ = K (∇W - (g/S) W)/S
+/// `matrix` holds K/S and `shift` holds g/S. Without correction they are the unit tensor and zero.
+template <class T, int D>
+struct Correction {
+  Tensor<T, D> matrix;
+  Vector<T, D> shift;
+
+  static Correction none() {
+    Correction c{Tensor<T, D>::zero(), Vector<T, D>::zero()};
+    for (int k = 0; k < D; ++k) c.matrix(k, k) = T(1.0);
+    return c;
+  }
+
+  void mirror(int axis) {
+    mirror_tensor(matrix, axis);
+    shift[axis] = -shift[axis];
+  }
+
+  Vector<T, D> gradient(const Vector<T, D>& plain, const T& value) const {
+    Vector<T, D> shifted;
+    for (int k = 0; k < D; ++k) shifted[k] = plain[k] - shift[k] * value;
+    return times(matrix, shifted);
+  }
+};
+
+}  // namespace tektite

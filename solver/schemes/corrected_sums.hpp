@@ -1,0 +1,85 @@
+#pragma once
+// The Eulerian sums beyond the plain ones: with the mixed correction, with artificial stress, or where some neighbours
+// are total-Lagrangian.
+
+#include <limits>
+#include <vector>
+
+#include "core/particles.hpp"
+#include "parallel/for_each_pair.hpp"
+#include "passes/corrected_rates.hpp"
+#include "schemes/mixed_correction.hpp"
+#include "schemes/scheme.hpp"
+
+namespace tektite {
+
+template <class Kernel, int D>
+class CorrectedSums {
+ public:
+  explicit CorrectedSums(const SchemeSettings& settings)
+      : viscosity_(std::get<MonaghanViscosity>(settings.viscosity)),
+        corrected_(settings.corrected_eulerian),
+        switch_{settings.correction_limit},
+        artificial_(settings.artificial_stress) {}
+
+  /// Whether these settings ask for more than the plain sums.
+  static bool needed(const SchemeSettings& settings) {
+    return settings.corrected_eulerian || settings.artificial_stress;
+  }
+
+  /// Accelerations, velocity gradients and viscous powers of the Eulerian particles. `records` are those of the
+  /// particles alone; `eulerian` says by a byte each who is Eulerian, null where all are.
+  void evaluate(Particles& p, const PairList& pairs, const Mirror<D>& mirror,
+                const std::vector<EulerianRecord<D>>& records, const std::uint8_t* eulerian) {
+    const auto count = p.count();
+    records_.resize(count + mirror.images());
+    for (const auto& body : p.bodies())
+      for_each(body.range.size(), [&](std::size_t n) {
+        const std::size_t i = body.range.begin + n;
+        fill(records_[i], records[i], body.spacing, !eulerian || eulerian[i]);
+      });
+    mirror.fill(records_, count);
+    without_ = corrected_ ? correction_.find(pairs, mirror, records_, count, eulerian) : 0;
+    if constexpr (D == 2) {
+      if (artificial_) return sum<true>(p, pairs);
+    }
+    sum<false>(p, pairs);
+  }
+
+  /// Particles that go without correction, at the last call.
+  std::size_t without() const { return without_; }
+  std::size_t memory() const { return records_.capacity() * sizeof(CorrectedRecord<D>); }
+
+ private:
+  void fill(CorrectedRecord<D>& r, const EulerianRecord<D>& plain, double spacing, bool eulerian) const {
+    static_cast<EulerianRecord<D>&>(r) = plain;
+    r.correction = Correction<double, D>::none();
+    r.spacing = spacing;
+    r.eulerian = eulerian ? 1.0 : 0.0;
+    const bool meets = artificial_ && artificial_->interface != ArtificialStressInterface::none;
+    r.pushes = eulerian || meets ? 1.0 : 0.0;
+    for (auto& component : r.artificial) component = 0.0;
+    if constexpr (D == 2) {
+      if (artificial_) artificial_->tensor(r.stress, r.density, r.artificial);
+    }
+  }
+
+  template <bool artificial>
+  void sum(Particles& p, const PairList& pairs) {
+    for_each_pair(pairs,
+                  CorrectedRates<Kernel, MonaghanViscosity, D, artificial>{
+                      records_.data(), viscosity_, switch_, artificial_ ? artificial_->exponent : 0,
+                      p.template vectors<D>(Field::acceleration), p.template tensors<D>(Field::velocity_gradient),
+                      p.scalars(Field::viscous_power), p.scalars(Field::viscous_signal)});
+  }
+
+  MonaghanViscosity viscosity_;
+  bool corrected_;
+  CorrectionSwitch switch_;
+  std::optional<ArtificialStress> artificial_;
+  MixedCorrection<Kernel, D> correction_;
+  std::vector<CorrectedRecord<D>> records_;
+  std::size_t without_ = 0;
+};
+
+}  // namespace tektite

@@ -1,0 +1,85 @@
+#pragma once
+// The Eulerian particles of bodies whose others are total-Lagrangian: Young et al. (2021), section 2.2. They sum over
+// all that are near them in the present configuration, whatever their kernels.
+
+#include <map>
+
+#include "neighbours/neighbourhood.hpp"
+#include "neighbours/reference_pairs.hpp"
+#include "passes/assemble_records.hpp"
+#include "schemes/corrected_sums.hpp"
+
+namespace tektite {
+
+template <class Kernel, int D>
+class EulerianPart {
+ public:
+  EulerianPart(Particles& particles, double support, std::vector<SymmetryPlane> planes, const SchemeSettings& settings)
+      : particles_(particles),
+        neighbourhood_(particles, support, std::move(planes),
+                       {Pairing::within_bodies, false, Field::search_position,
+                        settings.corrected_eulerian ? Listed::eulerian_and_near : Listed::eulerian}),
+        sums_(settings) {}
+
+  void start() {
+    particles_.allocate(Field::search_position);
+    renew();
+  }
+  void restore(const std::map<std::string, double>& state) {
+    eulerian_ = eulerian_of_each(particles_);
+    if (any()) neighbourhood_.restore(state.at("search_reach"));
+  }
+  void save(std::map<std::string, double>& state) const { state["search_reach"] = neighbourhood_.reach(); }
+
+  /// Some particles have another kernel type than before.
+  void renew() {
+    eulerian_ = eulerian_of_each(particles_);
+    if (any()) neighbourhood_.renew(0.0);
+  }
+  /// Makes the search good for a step dt.
+  void prepare(double dt) {
+    if (any()) neighbourhood_.prepare(dt);
+  }
+
+  bool any() const { return std::ranges::find(eulerian_, 1) != eulerian_.end(); }
+  std::size_t count() const { return static_cast<std::size_t>(std::ranges::count(eulerian_, 1)); }
+  /// Eulerian particles that go without correction.
+  std::size_t without_correction() const { return sums_.without(); }
+
+  /// The rates of the Eulerian particles. `motion` is the middle of the step, as the half fields are.
+  void evaluate(const std::vector<MotionRecord<D>>& motion) {
+    if (!any()) return;
+    auto& p = particles_;
+    records_.resize(p.count());
+    const AssembleRecords<D, false> assemble{p.scalars(Field::mass),
+                                             p.scalars(Field::half_density),
+                                             p.scalars(Field::half_pressure),
+                                             p.scalars(Field::half_sound_speed),
+                                             p.template symmetrics<D>(Field::half_deviatoric_stress),
+                                             nullptr,
+                                             nullptr,
+                                             0.0,
+                                             p.scalars(Field::smoothing_length),
+                                             records_.data()};
+    for_each(p.count(), [&](std::size_t i) {
+      records_[i].x = motion[i].x;
+      records_[i].v = motion[i].v;
+      assemble(i);
+    });
+    sums_.evaluate(p, neighbourhood_.pairs(), neighbourhood_.mirror(), records_, eulerian_.data());
+  }
+
+  std::size_t memory() const {
+    return neighbourhood_.memory() + sums_.memory() + records_.capacity() * sizeof(EulerianRecord<D>) +
+           eulerian_.capacity();
+  }
+
+ private:
+  Particles& particles_;
+  Neighbourhood<D> neighbourhood_;
+  CorrectedSums<Kernel, D> sums_;
+  std::vector<EulerianRecord<D>> records_;
+  std::vector<std::uint8_t> eulerian_;
+};
+
+}  // namespace tektite

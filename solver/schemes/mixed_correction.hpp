@@ -1,0 +1,63 @@
+#pragma once
+// The mixed kernel-and-gradient correction of all particles of a list.
+
+#include <vector>
+
+#include "boundary/mirror.hpp"
+#include "parallel/for_each.hpp"
+#include "parallel/for_each_pair.hpp"
+#include "parallel/reduce.hpp"
+#include "passes/correction_sums.hpp"
+
+namespace tektite {
+
+template <class Kernel, int D>
+class MixedCorrection {
+ public:
+  /// Corrections of the first `count` records, from each other and from the images behind them; the records begin with
+  /// Correction::none(). A particle with a single neighbour, or whose matrix cannot be inverted, keeps the plain
+  /// gradient and is counted, if `counted` (a byte each, null for all) says so.
+  template <class Record>
+  std::size_t find(const PairList& pairs, const Mirror<D>& mirror, std::vector<Record>& records, std::size_t count,
+                   const std::uint8_t* counted = nullptr) {
+    kernel_.resize(count);
+    neighbours_.resize(count);
+    gradient_.resize(count);
+    moment_.resize(count);
+    CorrectionSums<Kernel, D, Record> sums{records.data(),   false,         kernel_.data(), neighbours_.data(),
+                                           gradient_.data(), moment_.data()};
+    for_each_pair(pairs, sums);
+    for_each(count, [&](std::size_t i) {
+      records[i].correction.shift = (1.0 / kernel_[i]) * gradient_[i];
+      for (int k = 0; k < D; ++k) records[i].correction.matrix(k, k) = 1.0 / kernel_[i];
+    });
+    mirror.fill(records, count);
+    sums.second = true;
+    for_each_pair(pairs, sums);
+    const auto finish = [&](std::size_t& without, std::size_t i) {
+      auto& correction = records[i].correction;
+      const double determinant_of_m = determinant(moment_[i]);
+      if (neighbours_[i] > 1.0 && determinant_of_m > singular) {
+        const auto c = cofactor(moment_[i]);
+        for (int a = 0; a < D; ++a)
+          for (int b = 0; b < D; ++b) correction.matrix(a, b) = c(b, a) / determinant_of_m / kernel_[i];
+      } else {
+        correction = Correction<double, D>::none();
+        without += !counted || counted[i];
+      }
+    };
+    const auto without = reduce(count, std::size_t{0}, finish, [](auto& whole, auto part) { whole += part; });
+    mirror.fill(records, count);
+    return without;
+  }
+
+ private:
+  /// K/S with K = M⁻¹; the moment of a whole neighbourhood is near the unit tensor, so this is far from any of use.
+  static constexpr double singular = 1e-3;
+
+  std::vector<double> kernel_, neighbours_;
+  std::vector<Vector<double, D>> gradient_;
+  std::vector<Tensor<double, D>> moment_;
+};
+
+}  // namespace tektite
