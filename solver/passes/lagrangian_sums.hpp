@@ -150,12 +150,15 @@ struct LagrangianForces {
     const Pack density = from(stress, [](const auto& r) { return r.density; });
     const Pack c = Pack(0.5) * (a.sound_speed + from(stress, [](const auto& r) { return r.sound_speed; }));
     const auto [pi, speed] = viscosity(approach, dot(x, x), h, c, Pack(0.5) * (a.density + density));
-    const Pack damping = volume * density * pi;
+    // Where the deformation turns the gradients against the line between the particles, Π would drive them, not damp
+    // them.
+    const Pack power = dot(v, bracket);
+    const Pack damping = select(power < Pack(0.0), volume * density * pi, Pack(0.0));
     for (int k = 0; k < D; ++k) {
       sums.force[k] += volume * pull[k];
       sums.viscous[k] += damping * bracket[k];
     }
-    sums.heat += damping * dot(v, bracket);
+    sums.heat += damping * power;
     sums.signal = larger(sums.signal, select(pair.value * volume > Pack(0.0), speed, Pack(0.0)));
   }
 
