@@ -1,4 +1,6 @@
 // Measures of a ring, and the error of a profile, on states made by hand.
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <numbers>
 
