@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "core/pack.hpp"
 #include "passes/corrected_record.hpp"
@@ -12,11 +13,12 @@ namespace tektite {
 /// one differs from it by more than the factor C_f, or in sign. Components along which the pair is level, where both
 /// vanish, are not asked.
 struct CorrectionSwitch {
-  double limit;  ///< C_f
+  double limit;  ///< C_f; infinite for no switch
 
   template <int D>
   Vector<Pack, D> choose(const Vector<Pack, D>& corrected, const Vector<Pack, D>& plain, const Vector<Pack, D>& x,
                          const Pack& h) const {
+    if (limit == std::numeric_limits<double>::infinity()) return corrected;
     const Pack level = Pack(1e-3) * h;
     Pack apart = 0.0;  // how many components differ
     for (int k = 0; k < D; ++k) {

@@ -48,12 +48,13 @@ class MsphScheme final : public Scheme {
   }
   void restore(const std::map<std::string, double>& state) override {
     allocate_scratch();
-    neighbourhood_.restore(state.at("search_reach"));
+    neighbourhood_.restore(state.at("search_reach"), static_cast<int>(state.at("searches_since_order")));
     lower_order_ = {state.at("first_order_particle_steps"), state.at("zeroth_order_particle_steps")};
     assemble();
   }
   void save(std::map<std::string, double>& state) const override {
     state["search_reach"] = neighbourhood_.reach();
+    state["searches_since_order"] = neighbourhood_.searches_since_order();
     state["first_order_particle_steps"] = lower_order_.first;
     state["zeroth_order_particle_steps"] = lower_order_.second;
   }

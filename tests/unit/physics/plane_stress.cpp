@@ -39,6 +39,7 @@ double stress_across(const EosModel& eos, double energy, const Element& element)
 
 TEST_CASE("Plane stress: the stress across the plane stays at zero in any step", "[plane_stress]") {
   for_each_sample<Eos>([](const auto& eos) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(eos)>, IdealGas>) return;  // is nowhere without pressure
     for_each_sample<Strength>([&](const auto& strength) {
       test::Random random(1);
       Element element{test::start_of<2>(strength)};
