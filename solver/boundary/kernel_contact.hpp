@@ -27,7 +27,7 @@ class KernelContact {
       : particles_(particles),
         settings_(settings),
         neighbourhood_(particles, support, std::move(planes),
-                       {Pairing::across_bodies, false, Field::contact_search_position}) {
+                       {Pairing::across_bodies, false, Field::contact_search_position, Listed::all, "contact"}) {
     for (const auto& body : particles.bodies()) materials_.push_back(&materials.at(body.material));
   }
 
@@ -38,10 +38,10 @@ class KernelContact {
     fill();
   }
   void restore(const std::map<std::string, double>& state) {
-    neighbourhood_.restore(state.at("contact_reach"));
+    neighbourhood_.restore(state);
     fill();
   }
-  void save(std::map<std::string, double>& state) const { state["contact_reach"] = neighbourhood_.reach(); }
+  void save(std::map<std::string, double>& state) const { neighbourhood_.save(state); }
 
   /// Makes the search good for a step dt; `ordered` where the particles have another order than at the last call.
   void prepare(double dt, bool ordered) {

@@ -91,9 +91,16 @@ bool Neighbourhood<D>::renew(double dt) {
 }
 
 template <int D>
-void Neighbourhood<D>::restore(double reach, int searches_since_order) {
-  reach_ = reach;
-  searches_since_order_ = searches_since_order;
+void Neighbourhood<D>::save(std::map<std::string, double>& state) const {
+  state[search_.name + "_reach"] = reach_;
+  if (search_.orders) state[search_.name + "es_since_order"] = searches_since_order_;
+}
+
+template <int D>
+void Neighbourhood<D>::restore(const std::map<std::string, double>& state) {
+  reach_ = state.at(search_.name + "_reach");
+  if (search_.orders) searches_since_order_ = static_cast<int>(state.at(search_.name + "es_since_order"));
+  if (!(reach_ > 0.0)) return;  // never made
   find_regions();
   list();
 }

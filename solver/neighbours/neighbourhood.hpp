@@ -4,6 +4,8 @@
 // List and images follow from the order of the particles, the search positions and the reach alone, all of which are
 // saved, so a restart goes on with the same list.
 
+#include <map>
+#include <string>
 #include <vector>
 
 #include "boundary/mirror.hpp"
@@ -23,6 +25,7 @@ struct Search {
   bool orders = true;                        ///< keeps the particles ordered in space
   Field positions = Field::search_position;  ///< where it keeps the places of the last search
   Listed listed = Listed::all;               ///< whose neighbours it lists
+  std::string name = "search";               ///< under which it is saved
 };
 
 template <int D>
@@ -35,13 +38,14 @@ class Neighbourhood {
   bool prepare(double dt);
   /// Makes the list anew, whatever has moved. True where the particles were ordered anew.
   bool renew(double dt);
-  /// Makes the list as it was when the particles were saved with this reach, so many searches after they were ordered.
-  void restore(double reach, int searches_since_order = 0);
+  /// Puts what belongs to the present list, beside the particles, into `state`; restore() makes the same list from
+  /// both.
+  void save(std::map<std::string, double>& state) const;
+  void restore(const std::map<std::string, double>& state);
 
   const PairList& pairs() const { return pairs_; }
   const Mirror<D>& mirror() const { return mirror_; }
   double reach() const { return reach_; }
-  int searches_since_order() const { return searches_since_order_; }
   double support() const { return support_; }
   std::size_t memory() const;
 

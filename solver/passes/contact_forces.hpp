@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "core/pack.hpp"
+#include "passes/gathered.hpp"
 #include "passes/kernel_pair.hpp"
 
 namespace tektite {
@@ -45,39 +46,27 @@ struct ContactForces {
 
   Self begin(std::size_t i) const {
     const auto& r = records[i];
-    Self a;
-    for (int k = 0; k < D; ++k) a.x[k] = r.x[k];
-    a.volume = r.volume;
-    a.bulk_modulus = r.bulk_modulus;
-    a.h = r.smoothing_length;
-    a.spacing = r.spacing;
-    return a;
+    return {broadcast(r.x), r.volume, r.bulk_modulus, r.smoothing_length, r.spacing};
   }
 
   void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
-    const auto gather = [&](auto member) {
-      return Pack([&](auto lane) { return member(records[j[static_cast<std::size_t>(lane)]]); });
-    };
-    Vector<Pack, D> x;
-    for (int k = 0; k < D; ++k) x[k] = a.x[k] - gather([k](const auto& r) { return r.x[k]; });
-    const Pack h = Pack(0.5) * (a.h + gather([](const auto& r) { return r.smoothing_length; }));
-    const Pack spacing = Pack(0.5) * (a.spacing + gather([](const auto& r) { return r.spacing; }));
+    using Record = ContactRecord<D>;
+    const auto x = a.x - gathered(records, j, &Record::x);
+    const Pack h = Pack(0.5) * (a.h + gathered(records, j, &Record::smoothing_length));
+    const Pack spacing = Pack(0.5) * (a.spacing + gathered(records, j, &Record::spacing));
     const KernelPair<Kernel, D> pair(x, h);
-    auto apart = Vector<Pack, D>::zero();
-    apart[0] = spacing;
-    const KernelPair<Kernel, D> at_spacing(apart, h);
+    const Pack at_spacing = kernel_at<Kernel, D>(spacing, h);
     using std::experimental::pow;
-    const Pack ratio = pair.value / at_spacing.value;  // zero beyond the support
-    Pack modulus = smaller(a.bulk_modulus, gather([](const auto& r) { return r.bulk_modulus; }));
+    const Pack ratio = pair.value / at_spacing;  // zero beyond the support
+    Pack modulus = smaller(a.bulk_modulus, gathered(records, j, &Record::bulk_modulus));
     for (int k = 0; k < D; ++k) modulus /= spacing;
-    const Pack strength =
-        is_other(x) * a.volume * gather([](const auto& r) { return r.volume; }) * Pack(factor) * modulus;
+    const Pack strength = is_other(x) * a.volume * gathered(records, j, &Record::volume) * Pack(factor) * modulus;
     const Pack power = select(ratio > Pack(0.0), pow(larger(ratio, Pack(1e-300)), Pack(exponent - 2.0)), Pack(0.0));
-    const Pack push = strength * Pack(exponent) * power * ratio / at_spacing.value;
+    const Pack push = strength * Pack(exponent) * power * ratio / at_spacing;
     for (int k = 0; k < D; ++k) sums.force[k] -= push * pair.slope[k];
     sums.energy += strength * power * ratio * ratio;
-    sums.stiffness += strength * Pack(exponent * (exponent - 1.0)) * power * dot(pair.slope, pair.slope) /
-                      (at_spacing.value * at_spacing.value);
+    sums.stiffness +=
+        strength * Pack(exponent * (exponent - 1.0)) * power * dot(pair.slope, pair.slope) / (at_spacing * at_spacing);
   }
 
   void end(std::size_t i, const Sums& sums) const {

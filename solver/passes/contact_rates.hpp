@@ -42,11 +42,9 @@ struct ContactRates {
   Self begin(std::size_t i) const {
     const Record& r = records[i];
     Self a;
-    for (int k = 0; k < D; ++k) {
-      a.x[k] = r.x[k];
-      a.v[k] = r.v[k];
-    }
-    for (int k = 0; k < Record::stresses; ++k) a.stress[k] = r.stress[k];
+    a.x = broadcast(r.x);
+    a.v = broadcast(r.v);
+    broadcast(r.stress, a.stress);
     a.longitudinal = r.longitudinal;
     a.transverse = r.transverse;
     a.h = r.smoothing_length;

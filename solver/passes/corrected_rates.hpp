@@ -72,16 +72,11 @@ struct CorrectedRates {
   Self begin(std::size_t i) const {
     const Record& r = records[i];
     Self a;
-    for (int k = 0; k < D; ++k) {
-      a.x[k] = r.x[k];
-      a.v[k] = r.v[k];
-      a.correction.shift[k] = r.correction.shift[k];
-    }
-    for (int k = 0; k < D * D; ++k) a.correction.matrix.c[k] = r.correction.matrix.c[k];
-    for (int k = 0; k < stresses; ++k) {
-      a.stress[k] = r.stress[k];
-      a.artificial_stress[k] = r.artificial[k];
-    }
+    a.x = broadcast(r.x);
+    a.v = broadcast(r.v);
+    a.correction = broadcast(r.correction);
+    broadcast(r.stress, a.stress);
+    broadcast(r.artificial, a.artificial_stress);
     a.density = r.density;
     a.sound_speed = r.sound_speed;
     a.h = r.smoothing_length;
@@ -90,19 +85,10 @@ struct CorrectedRates {
   }
 
   void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
-    const auto gather = [&](auto member) {
-      return Pack([&](auto lane) { return member(records[j[static_cast<std::size_t>(lane)]]); });
-    };
-    Vector<Pack, D> x, v;
-    Correction<Pack, D> correction;
-    for (int k = 0; k < D; ++k) {
-      x[k] = a.x[k] - gather([k](const auto& r) { return r.x[k]; });
-      v[k] = a.v[k] - gather([k](const auto& r) { return r.v[k]; });
-      correction.shift[k] = gather([k](const auto& r) { return r.correction.shift[k]; });
-    }
-    for (int k = 0; k < D * D; ++k)
-      correction.matrix.c[k] = gather([k](const auto& r) { return r.correction.matrix.c[k]; });
-    const Pack h = Pack(0.5) * (a.h + gather([](const auto& r) { return r.smoothing_length; }));
+    const auto x = a.x - gathered(records, j, &Record::x);
+    const auto v = a.v - gathered(records, j, &Record::v);
+    const auto correction = gathered(records, j, &Record::correction);
+    const Pack h = Pack(0.5) * (a.h + gathered(records, j, &Record::smoothing_length));
     const KernelPair<Kernel, D> pair(x, h);
     const auto minus = Pack(-1.0) * pair.slope;
     const auto here =
@@ -110,22 +96,22 @@ struct CorrectedRates {
     const auto there = correction_switch.choose<D>(correction.gradient(minus, pair.value), minus, x, h);  // ∇̃_bW̃_ba
 
     // What fills a list up is the particle itself, whose corrected gradient is not zero.
-    const Pack volume = gather([](const auto& r) { return r.volume; }) * is_other(x);
-    const Pack density = gather([](const auto& r) { return r.density; });
+    const Pack volume = gathered(records, j, &Record::volume) * is_other(x);
+    const Pack density = gathered(records, j, &Record::density);
     Pack stress[stresses];
-    for (int k = 0; k < stresses; ++k) stress[k] = gather([k](const auto& r) { return r.stress[k]; });
+    gather_into(stress, records, j, &Record::stress);
     const auto pull = difference(a.stress, here, stress, there);
     Vector<Pack, D> other;  // per m_b
-    const Pack c = Pack(0.5) * (a.sound_speed + gather([](const auto& r) { return r.sound_speed; }));
+    const Pack c = Pack(0.5) * (a.sound_speed + gathered(records, j, &Record::sound_speed));
     const auto [pi, speed] = viscosity(dot(v, x), dot(x, x), h, c, Pack(0.5) * (a.density + density));
     for (int k = 0; k < D; ++k) other[k] = Pack(0.5) * pi * (there[k] - here[k]);
     if constexpr (artificial) {
       Pack r[stresses];
-      for (int k = 0; k < stresses; ++k) r[k] = gather([k](const auto& record) { return record.artificial[k]; });
+      gather_into(r, records, j, &Record::artificial);
       const auto push = difference(a.artificial_stress, here, r, there);
-      const Pack spacing = Pack(0.5) * (a.spacing + gather([](const auto& record) { return record.spacing; }));
+      const Pack spacing = Pack(0.5) * (a.spacing + gathered(records, j, &Record::spacing));
       const Pack factor =
-          Pack(0.5) * gather([](const auto& record) { return record.pushes; }) * closeness(pair.value, spacing, h);
+          Pack(0.5) * gathered(records, j, &Record::pushes) * closeness<Kernel, D>(pair.value, spacing, h, exponent);
       for (int k = 0; k < D; ++k) other[k] += factor * push[k];
     }
     const Pack mass = volume * density;
@@ -159,16 +145,6 @@ struct CorrectedRates {
         result[i] += s[n] * here[k] - t[n] * there[k];
       }
     return result;
-  }
-
-  /// fⁿ, f = W_ab/W(Δp)
-  Pack closeness(const Pack& value, const Pack& spacing, const Pack& h) const {
-    auto apart = Vector<Pack, D>::zero();
-    apart[0] = spacing;
-    const Pack f = value / KernelPair<Kernel, D>(apart, h).value;
-    Pack power = f;
-    for (int k = 1; k < exponent; ++k) power *= f;
-    return power;
   }
 };
 

@@ -18,8 +18,7 @@ struct CorrectedRecord : EulerianRecord<D> {
   void mirror(int axis, double at) {
     EulerianRecord<D>::mirror(axis, at);
     correction.mirror(axis);
-    for (int k = 0; k < D; ++k)
-      if (k != axis) artificial[this->index(axis, k)] = -artificial[this->index(axis, k)];
+    EulerianRecord<D>::mirror_stress(artificial, axis);
   }
 };
 

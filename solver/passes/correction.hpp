@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/tensor_algebra.hpp"
+#include "passes/gathered.hpp"
 
 namespace tektite {
 
@@ -29,5 +30,20 @@ struct Correction {
     return times(matrix, shifted);
   }
 };
+
+template <int D>
+[[gnu::always_inline]] inline Correction<Pack, D> broadcast(const Correction<double, D>& c) {
+  return {broadcast(c.matrix), broadcast(c.shift)};
+}
+template <class Record, class Owner, int D>
+[[gnu::always_inline]] inline Correction<Pack, D> gathered(const Record* records, const std::uint32_t* j,
+                                                           Correction<double, D> Owner::*member) {
+  Correction<Pack, D> result;
+  for (int k = 0; k < D * D; ++k)
+    result.matrix.c[k] = gathered_by(records, j, [=](const Record& r) { return (r.*member).matrix.c[k]; });
+  for (int k = 0; k < D; ++k)
+    result.shift[k] = gathered_by(records, j, [=](const Record& r) { return (r.*member).shift[k]; });
+  return result;
+}
 
 }  // namespace tektite

@@ -34,25 +34,15 @@ struct CorrectionSums {
   };
 
   Self begin(std::size_t i) const {
-    Self a;
-    for (int k = 0; k < D; ++k) {
-      a.x[k] = records[i].x[k];
-      a.correction.shift[k] = records[i].correction.shift[k];
-    }
-    for (int k = 0; k < D * D; ++k) a.correction.matrix.c[k] = records[i].correction.matrix.c[k];
-    a.h = records[i].smoothing_length;
-    return a;
+    const Record& r = records[i];
+    return {broadcast(r.x), r.smoothing_length, broadcast(r.correction)};
   }
 
   void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
-    const auto gather = [&](auto member) {
-      return Pack([&](auto lane) { return member(records[j[static_cast<std::size_t>(lane)]]); });
-    };
-    Vector<Pack, D> x;
-    for (int k = 0; k < D; ++k) x[k] = a.x[k] - gather([k](const auto& r) { return r.x[k]; });
-    const KernelPair<Kernel, D> pair(x, Pack(0.5) * (a.h + gather([](const auto& r) { return r.smoothing_length; })));
+    const auto x = a.x - gathered(records, j, &Record::x);
+    const KernelPair<Kernel, D> pair(x, Pack(0.5) * (a.h + gathered(records, j, &Record::smoothing_length)));
     const Pack other = is_other(x);
-    const Pack volume = gather([](const auto& r) { return r.volume; }) * other;
+    const Pack volume = gathered(records, j, &Record::volume) * other;
     sums.kernel += volume * pair.value;
     sums.neighbours += select(pair.value > Pack(0.0), other, Pack(0.0));
     const auto corrected = a.correction.gradient(pair.slope, pair.value);

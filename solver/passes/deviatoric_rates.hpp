@@ -38,11 +38,9 @@ struct DeviatoricRates {
   Self begin(std::size_t i) const {
     const Record& r = records[i];
     Self a;
-    for (int k = 0; k < D; ++k) {
-      a.x[k] = r.x[k];
-      a.v[k] = r.v[k];
-    }
-    for (int k = 0; k < Record::stresses; ++k) a.stress[k] = r.stress[k];
+    a.x = broadcast(r.x);
+    a.v = broadcast(r.v);
+    broadcast(r.stress, a.stress);
     a.density = r.density;
     a.pressure = r.pressure;
     a.h = r.smoothing_length;

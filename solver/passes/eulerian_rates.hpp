@@ -5,6 +5,7 @@
 #include "core/pack.hpp"
 #include "core/tensor.hpp"
 #include "passes/eulerian_record.hpp"
+#include "passes/gathered.hpp"
 
 namespace tektite {
 
@@ -41,11 +42,9 @@ struct EulerianRates {
   Self begin(std::size_t i) const {
     const Record& r = records[i];
     Self a;
-    for (int k = 0; k < D; ++k) {
-      a.x[k] = r.x[k];
-      a.v[k] = r.v[k];
-    }
-    for (int k = 0; k < Record::stresses; ++k) a.stress[k] = r.stress[k];
+    a.x = broadcast(r.x);
+    a.v = broadcast(r.v);
+    broadcast(r.stress, a.stress);
     a.density = r.density;
     a.sound_speed = r.sound_speed;
     a.h = r.smoothing_length;
@@ -53,11 +52,8 @@ struct EulerianRates {
   }
 
   void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
-    constexpr std::size_t rows = sizeof(Record) / (pack_width * sizeof(double));
-    const double* place[pack_width];
-    for (std::size_t k = 0; k < pack_width; ++k) place[k] = &records[j[k]].x[0];
-    Pack b[rows * pack_width];  // the members of the four records, in their order
-    gather<rows>(place, b);
+    const auto other = gather_records<2 * D + Record::stresses + 4>(records, j);
+    const Pack* const b = other.number;
     const Pack* const other_v = b + D;
     const Pack* const other_stress = other_v + D;
     const Pack volume = other_stress[Record::stresses];

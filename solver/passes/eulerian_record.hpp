@@ -5,6 +5,13 @@
 
 namespace tektite {
 
+/// Reflects place and velocity of a record at the plane x_axis = at.
+template <class Record>
+void mirror_motion(Record& record, int axis, double at) {
+  record.x[axis] = 2.0 * at - record.x[axis];
+  record.v[axis] = -record.v[axis];
+}
+
 /// What an Eulerian pair needs to know of a particle, in one piece of memory, at the middle of a step. In plane stress
 /// the numbers are those of the membrane: per area, so that density, stress and volume carry the thickness. A record is
 /// a whole number of packs long, so that it can be read row by row.
@@ -26,12 +33,15 @@ struct alignas(pack_width * sizeof(double)) EulerianRecord {
     return D == 2 ? 2 : (i + j == 1 ? 3 : (i + j == 3 ? 4 : 5));
   }
 
+  /// Reflects a tensor that is kept like `stress`.
+  static void mirror_stress(double (&tensor)[stresses], int axis) {
+    for (int k = 0; k < D; ++k)
+      if (k != axis) tensor[index(axis, k)] = -tensor[index(axis, k)];
+  }
   /// Reflects the record at the plane x_axis = at.
   void mirror(int axis, double at) {
-    x[axis] = 2.0 * at - x[axis];
-    v[axis] = -v[axis];
-    for (int k = 0; k < D; ++k)
-      if (k != axis) stress[index(axis, k)] = -stress[index(axis, k)];
+    mirror_motion(*this, axis, at);
+    mirror_stress(stress, axis);
   }
 };
 

@@ -1,8 +1,9 @@
 #pragma once
 
 #include "core/pack.hpp"
-#include "core/tensor.hpp"
+#include "core/tensor_algebra.hpp"
 #include "passes/eulerian_record.hpp"
+#include "passes/gathered.hpp"
 
 namespace tektite {
 
@@ -24,10 +25,8 @@ struct alignas(pack_width * sizeof(double)) DeviatoricRecord {
 
   /// Reflects the record at the plane x_axis = at.
   void mirror(int axis, double at) {
-    x[axis] = 2.0 * at - x[axis];
-    v[axis] = -v[axis];
-    for (int k = 0; k < D; ++k)
-      if (k != axis) stress[index(axis, k)] = -stress[index(axis, k)];
+    mirror_motion(*this, axis, at);
+    EulerianRecord<D>::mirror_stress(stress, axis);
   }
 };
 
@@ -53,15 +52,10 @@ struct alignas(pack_width * sizeof(double)) HydrodynamicRecord {
   static constexpr std::size_t plain = 2 * D + 8;
 
   void mirror(int axis, double at) {
-    x[axis] = 2.0 * at - x[axis];
-    v[axis] = -v[axis];
+    mirror_motion(*this, axis, at);
     density_gradient[axis] = -density_gradient[axis];
     pressure_gradient[axis] = -pressure_gradient[axis];
-    for (int k = 0; k < D; ++k) {
-      if (k == axis) continue;
-      velocity_gradient(axis, k) = -velocity_gradient(axis, k);
-      velocity_gradient(k, axis) = -velocity_gradient(k, axis);
-    }
+    mirror_tensor(velocity_gradient, axis);
   }
 };
 
@@ -81,26 +75,10 @@ struct alignas(pack_width * sizeof(double)) ContactStateRecord {
   static constexpr int index(int i, int j) { return EulerianRecord<D>::index(i, j); }
 
   void mirror(int axis, double at) {
-    x[axis] = 2.0 * at - x[axis];
-    v[axis] = -v[axis];
-    for (int k = 0; k < D; ++k)
-      if (k != axis) stress[index(axis, k)] = -stress[index(axis, k)];
+    mirror_motion(*this, axis, at);
+    EulerianRecord<D>::mirror_stress(stress, axis);
   }
 };
-
-/// The first `numbers` numbers of four records, turned: out[k] holds the k-th of each.
-template <std::size_t numbers, class Record>
-auto gather_records(const Record* records, const std::uint32_t* j) {
-  constexpr std::size_t rows = (numbers + pack_width - 1) / pack_width;
-  static_assert(rows * pack_width * sizeof(double) <= sizeof(Record));
-  const double* place[pack_width];
-  for (std::size_t k = 0; k < pack_width; ++k) place[k] = &records[j[k]].x[0];
-  struct {
-    Pack number[rows * pack_width];
-  } turned;
-  gather<rows>(place, turned.number);
-  return turned;
-}
 
 /// A pair as the Godunov schemes see it: the unit vector e_ij from j to i (zero where i meets itself), the distance and
 /// the kernel's slope.

@@ -53,10 +53,8 @@ struct HydrodynamicRates {
   Self begin(std::size_t i) const {
     const Record& r = records[i];
     Self a;
-    for (int k = 0; k < D; ++k) {
-      a.x[k] = r.x[k];
-      a.v[k] = r.v[k];
-    }
+    a.x = broadcast(r.x);
+    a.v = broadcast(r.v);
     a.density = r.density;
     a.pressure = r.pressure;
     a.sound_speed = r.sound_speed;
@@ -65,9 +63,9 @@ struct HydrodynamicRates {
     a.h = r.smoothing_length;
     a.failed = r.failed;
     if constexpr (reconstructs) {
-      for (int k = 0; k < D; ++k) a.density_gradient[k] = r.density_gradient[k];
-      for (int k = 0; k < D; ++k) a.pressure_gradient[k] = r.pressure_gradient[k];
-      for (int k = 0; k < D * D; ++k) a.velocity_gradient.c[k] = r.velocity_gradient.c[k];
+      a.density_gradient = broadcast(r.density_gradient);
+      a.pressure_gradient = broadcast(r.pressure_gradient);
+      a.velocity_gradient = broadcast(r.velocity_gradient);
     }
     return a;
   }

@@ -45,17 +45,12 @@ struct InterfaceStress {
 
   Self begin(std::size_t i) const {
     Self a;
-    for (int k = 0; k < 2; ++k) {
-      a.reference[k] = reference[i].x[k];
-      a.x[k] = motion[i].x[k];
-      a.v[k] = motion[i].v[k];
-      a.correction.shift[k] = reference[i].correction.shift[k];
-    }
-    for (int k = 0; k < 4; ++k) {
-      a.cofactor.c[k] = stress[i].cofactor.c[k];
-      a.correction.matrix.c[k] = reference[i].correction.matrix.c[k];
-    }
-    for (int k = 0; k < 3; ++k) a.r[k] = artificial[i].r[k];
+    a.reference = broadcast(reference[i].x);
+    a.x = broadcast(motion[i].x);
+    a.v = broadcast(motion[i].v);
+    a.correction = broadcast(reference[i].correction);
+    a.cofactor = broadcast(stress[i].cofactor);
+    broadcast(artificial[i].r, a.r);
     a.h = reference[i].smoothing_length;
     a.lagrangian = reference[i].lagrangian;
     a.spacing = artificial[i].spacing;
@@ -63,41 +58,26 @@ struct InterfaceStress {
   }
 
   void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
-    const auto from = [&](const auto* records, auto member) {
-      return Pack([&](auto lane) { return member(records[j[static_cast<std::size_t>(lane)]]); });
-    };
-    const Pack other_type = from(reference, [](const auto& r) { return r.lagrangian; });
-    const auto meets = other_type != a.lagrangian;
+    const auto meets = gathered(reference, j, &ReferenceRecord<2>::lagrangian) != a.lagrangian;
     if (std::experimental::none_of(meets)) return;
-    Vector<Pack, 2> reference_x, x, v;
-    Correction<Pack, 2> correction;
-    Tensor<Pack, 2> cofactor;
-    for (int k = 0; k < 2; ++k) {
-      reference_x[k] = a.reference[k] - from(reference, [k](const auto& r) { return r.x[k]; });
-      x[k] = a.x[k] - from(motion, [k](const auto& r) { return r.x[k]; });
-      v[k] = a.v[k] - from(motion, [k](const auto& r) { return r.v[k]; });
-      correction.shift[k] = from(reference, [k](const auto& r) { return r.correction.shift[k]; });
-    }
-    for (int k = 0; k < 4; ++k) {
-      correction.matrix.c[k] = from(reference, [k](const auto& r) { return r.correction.matrix.c[k]; });
-      cofactor.c[k] = from(stress, [k](const auto& r) { return r.cofactor.c[k]; });
-    }
+    const auto reference_x = a.reference - gathered(reference, j, &ReferenceRecord<2>::x);
+    const auto x = a.x - gathered(motion, j, &MotionRecord<2>::x);
+    const auto v = a.v - gathered(motion, j, &MotionRecord<2>::v);
+    const auto correction = gathered(reference, j, &ReferenceRecord<2>::correction);
+    const auto cofactor = gathered(stress, j, &StressRecord<2>::cofactor);
     Pack r[3];
-    for (int k = 0; k < 3; ++k) r[k] = from(artificial, [k](const auto& record) { return record.r[k]; });
-    const Pack h = Pack(0.5) * (a.h + from(reference, [](const auto& record) { return record.smoothing_length; }));
+    gather_into(r, artificial, j, &ArtificialStressRecord::r);
+    const Pack h = Pack(0.5) * (a.h + gathered(reference, j, &ReferenceRecord<2>::smoothing_length));
+    const Pack spacing = Pack(0.5) * (a.spacing + gathered(artificial, j, &ArtificialStressRecord::spacing));
     const KernelPair<Kernel, 2> pair(reference_x, h), now(x, h);
-    auto apart = Vector<Pack, 2>::zero();
-    apart[0] = Pack(0.5) * (a.spacing + from(artificial, [](const auto& record) { return record.spacing; }));
-    const Pack f = now.value / KernelPair<Kernel, 2>(apart, h).value;
-    Pack power = f;
-    for (int k = 1; k < settings.exponent; ++k) power *= f;
+    const Pack power = closeness<Kernel, 2>(now.value, spacing, h, settings.exponent);
 
     const auto here = times(a.cofactor, a.correction.gradient(pair.slope, pair.value));
     const auto there = times(cofactor, correction.gradient(Pack(-1.0) * pair.slope, pair.value));
     const Pack push[2] = {a.r[0] * here[0] + a.r[2] * here[1] - r[0] * there[0] - r[2] * there[1],
                           a.r[2] * here[0] + a.r[1] * here[1] - r[2] * there[0] - r[1] * there[1]};
-    const Pack volume = from(reference, [](const auto& record) { return record.volume; });
-    const Pack density = from(stress, [](const auto& record) { return record.density; });
+    const Pack volume = gathered(reference, j, &ReferenceRecord<2>::volume);
+    const Pack density = gathered(stress, j, &StressRecord<2>::density);
     const Pack factor = select(meets, volume * density * power, Pack(0.0));
     for (int k = 0; k < 2; ++k) sums.force[k] += factor * push[k];
     sums.heat += factor * (v[0] * push[0] + v[1] * push[1]);

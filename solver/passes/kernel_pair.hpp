@@ -24,6 +24,23 @@ struct KernelPair {
   }
 };
 
+/// W at a distance, without a place.
+template <class Kernel, int D>
+Pack kernel_at(const Pack& distance, const Pack& h) {
+  auto x = Vector<Pack, D>::zero();
+  x[0] = distance;
+  return KernelPair<Kernel, D>(x, h).value;
+}
+
+/// fⁿ of the artificial stress, f = W_ab/W(Δp): Young et al. (2021), eq. 10.
+template <class Kernel, int D>
+Pack closeness(const Pack& value, const Pack& spacing, const Pack& h, int exponent) {
+  const Pack f = value / kernel_at<Kernel, D>(spacing, h);
+  Pack power = f;
+  for (int k = 1; k < exponent; ++k) power *= f;
+  return power;
+}
+
 /// Lanes that hold a neighbour and not the particle itself, which fills a list up; a sum over kernel values needs it.
 template <int D>
 Pack is_other(const Vector<Pack, D>& x) {

@@ -2,6 +2,7 @@
 
 #include "core/tensor.hpp"
 #include "passes/correction.hpp"
+#include "passes/eulerian_record.hpp"
 
 namespace tektite {
 
@@ -26,10 +27,7 @@ struct MotionRecord {
   Vector<double, D> x;  ///< m
   Vector<double, D> v;  ///< m/s
 
-  void mirror(int axis, double at) {
-    x[axis] = 2.0 * at - x[axis];
-    v[axis] = -v[axis];
-  }
+  void mirror(int axis, double at) { mirror_motion(*this, axis, at); }
 };
 
 /// What it acts with.

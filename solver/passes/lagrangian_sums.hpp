@@ -27,31 +27,18 @@ struct DeformationSums {
   };
 
   Self begin(std::size_t i) const {
-    Self a;
-    for (int k = 0; k < D; ++k) {
-      a.reference[k] = reference[i].x[k];
-      a.x[k] = motion[i].x[k];
-      a.v[k] = motion[i].v[k];
-      a.correction.shift[k] = reference[i].correction.shift[k];
-    }
-    for (int k = 0; k < D * D; ++k) a.correction.matrix.c[k] = reference[i].correction.matrix.c[k];
-    a.h = reference[i].smoothing_length;
-    return a;
+    const auto& r = reference[i];
+    return {broadcast(r.x), broadcast(motion[i].x), broadcast(motion[i].v), r.smoothing_length,
+            broadcast(r.correction)};
   }
 
   void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
-    const auto from = [&](const auto* records, auto member) {
-      return Pack([&](auto lane) { return member(records[j[static_cast<std::size_t>(lane)]]); });
-    };
-    Vector<Pack, D> x, u, v;
-    for (int k = 0; k < D; ++k) {
-      x[k] = a.reference[k] - from(reference, [k](const auto& r) { return r.x[k]; });
-      u[k] = from(motion, [k](const auto& r) { return r.x[k]; }) - a.x[k] + x[k];
-      v[k] = from(motion, [k](const auto& r) { return r.v[k]; }) - a.v[k];
-    }
-    const KernelPair<Kernel, D> pair(
-        x, Pack(0.5) * (a.h + from(reference, [](const auto& r) { return r.smoothing_length; })));
-    const Pack volume = from(reference, [](const auto& r) { return r.volume; }) * is_other(x);
+    const auto x = a.reference - gathered(reference, j, &ReferenceRecord<D>::x);
+    const auto u = gathered(motion, j, &MotionRecord<D>::x) - a.x + x;
+    const auto v = gathered(motion, j, &MotionRecord<D>::v) - a.v;
+    const KernelPair<Kernel, D> pair(x,
+                                     Pack(0.5) * (a.h + gathered(reference, j, &ReferenceRecord<D>::smoothing_length)));
+    const Pack volume = gathered(reference, j, &ReferenceRecord<D>::volume) * is_other(x);
     const auto gradient = a.correction.gradient(pair.slope, pair.value);
     for (int r = 0; r < D; ++r)
       for (int c = 0; c < D; ++c) {
@@ -101,17 +88,12 @@ struct LagrangianForces {
 
   Self begin(std::size_t i) const {
     Self a;
-    for (int k = 0; k < D; ++k) {
-      a.reference[k] = reference[i].x[k];
-      a.x[k] = motion[i].x[k];
-      a.v[k] = motion[i].v[k];
-      a.correction.shift[k] = reference[i].correction.shift[k];
-    }
-    for (int k = 0; k < D * D; ++k) {
-      a.stress.c[k] = stress[i].stress.c[k];
-      a.cofactor.c[k] = stress[i].cofactor.c[k];
-      a.correction.matrix.c[k] = reference[i].correction.matrix.c[k];
-    }
+    a.reference = broadcast(reference[i].x);
+    a.x = broadcast(motion[i].x);
+    a.v = broadcast(motion[i].v);
+    a.correction = broadcast(reference[i].correction);
+    a.stress = broadcast(stress[i].stress);
+    a.cofactor = broadcast(stress[i].cofactor);
     a.h = reference[i].smoothing_length;
     a.density = stress[i].density;
     a.sound_speed = stress[i].sound_speed;
@@ -119,36 +101,24 @@ struct LagrangianForces {
   }
 
   void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
-    const auto from = [&](const auto* records, auto member) {
-      return Pack([&](auto lane) { return member(records[j[static_cast<std::size_t>(lane)]]); });
-    };
-    Vector<Pack, D> reference_x, x, v;
-    Correction<Pack, D> correction;
-    for (int k = 0; k < D; ++k) {
-      reference_x[k] = a.reference[k] - from(reference, [k](const auto& r) { return r.x[k]; });
-      x[k] = a.x[k] - from(motion, [k](const auto& r) { return r.x[k]; });
-      v[k] = a.v[k] - from(motion, [k](const auto& r) { return r.v[k]; });
-      correction.shift[k] = from(reference, [k](const auto& r) { return r.correction.shift[k]; });
-    }
-    for (int k = 0; k < D * D; ++k)
-      correction.matrix.c[k] = from(reference, [k](const auto& r) { return r.correction.matrix.c[k]; });
-    const Pack h = Pack(0.5) * (a.h + from(reference, [](const auto& r) { return r.smoothing_length; }));
+    const auto reference_x = a.reference - gathered(reference, j, &ReferenceRecord<D>::x);
+    const auto x = a.x - gathered(motion, j, &MotionRecord<D>::x);
+    const auto v = a.v - gathered(motion, j, &MotionRecord<D>::v);
+    const auto correction = gathered(reference, j, &ReferenceRecord<D>::correction);
+    const Pack h = Pack(0.5) * (a.h + gathered(reference, j, &ReferenceRecord<D>::smoothing_length));
     const KernelPair<Kernel, D> pair(reference_x, h);
-    const Pack volume = from(reference, [](const auto& r) { return r.volume; }) * is_other(reference_x);
+    const Pack volume = gathered(reference, j, &ReferenceRecord<D>::volume) * is_other(reference_x);
 
     const auto here = a.correction.gradient(pair.slope, pair.value);              // ∇̃_a0 W̃_ab
     const auto there = correction.gradient(Pack(-1.0) * pair.slope, pair.value);  // ∇̃_b0 W̃_ba
-    Tensor<Pack, D> other_stress, other_cofactor;
-    for (int k = 0; k < D * D; ++k) {
-      other_stress.c[k] = from(stress, [k](const auto& r) { return r.stress.c[k]; });
-      other_cofactor.c[k] = from(stress, [k](const auto& r) { return r.cofactor.c[k]; });
-    }
+    const auto other_stress = gathered(stress, j, &StressRecord<D>::stress);
+    const auto other_cofactor = gathered(stress, j, &StressRecord<D>::cofactor);
     const auto pull = times(a.stress, here) - times(other_stress, there);
     const auto bracket = times(other_cofactor, there) - times(a.cofactor, here);
 
     const Pack approach = dot(v, x);
-    const Pack density = from(stress, [](const auto& r) { return r.density; });
-    const Pack c = Pack(0.5) * (a.sound_speed + from(stress, [](const auto& r) { return r.sound_speed; }));
+    const Pack density = gathered(stress, j, &StressRecord<D>::density);
+    const Pack c = Pack(0.5) * (a.sound_speed + gathered(stress, j, &StressRecord<D>::sound_speed));
     const auto [pi, speed] = viscosity(approach, dot(x, x), h, c, Pack(0.5) * (a.density + density));
     // Where the deformation turns the gradients against the line between the particles, Π would drive them, not damp
     // them.

@@ -7,7 +7,6 @@
 #include "boundary/anvil.hpp"
 #include "passes/across.hpp"
 #include "passes/eulerian_record.hpp"
-#include "passes/time_step_limit.hpp"
 
 namespace tektite {
 
@@ -129,23 +128,6 @@ struct MsphAdvance {
     if (!anvil.touches(position[i])) return;
     anvil.keep_out(position[i]);
     velocity[i][anvil.axis()] = 0.0;
-  }
-};
-
-/// Eq. 3.22: C h/(c + |U|).
-template <int D>
-struct MsphStepLimit {
-  using Least = typename TimeStepLimit<D>::Least;
-  double courant;
-  const double* smoothing_length;
-  const double* wave_speed;
-  const double* density;
-  const Vector<double, D>* velocity;
-
-  void operator()(Least& least, std::size_t i) const {
-    const double signal = courant * smoothing_length[i] / (wave_speed[i] + norm(velocity[i]));
-    const double dt = density[i] > 0.0 && signal > 0.0 ? signal : 0.0;
-    if (dt < least.dt) least = {dt, i, StepLimit::sound};
   }
 };
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "passes/eulerian_record.hpp"
+#include "passes/gathered.hpp"
 #include "passes/msph_basis.hpp"
 
 namespace tektite {
@@ -31,12 +32,10 @@ struct MsphGather {
 
   template <class Member>
   Pack read(const std::uint32_t* j, const Member& member) const {
-    return Pack([&](auto lane) { return member(records[j[static_cast<std::size_t>(lane)]]); });
+    return gathered_by(records, j, member);
   }
   MsphSelf<D> self(std::size_t i) const {
-    MsphSelf<D> a{i, {}, Pack(1.0 / records[i].smoothing_length)};
-    for (int k = 0; k < D; ++k) a.x[k] = records[i].x[k];
-    return a;
+    return {i, broadcast(records[i].x), Pack(1.0 / records[i].smoothing_length)};
   }
   MsphPair<D> pair(const MsphSelf<D>& a, const std::uint32_t* j) const {
     MsphPair<D> p;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "core/pack.hpp"
 
 namespace tektite {
@@ -15,9 +17,17 @@ struct UniformSmoothing {
 
 /// The mean of both, so that a pair sees one kernel and its forces are equal and opposite.
 struct MeanSmoothing {
-  explicit MeanSmoothing(double) {}
   Pack of_pair(const Pack& a, const Pack& b) const { return Pack(0.5) * (a + b); }
   Pack inverse_of(const Pack& h) const { return Pack(1.0) / h; }
 };
+
+/// sweep(smoothing) with what gives a pair's smoothing length, by the smallest and the largest h of all particles.
+template <class Sweep>
+void with_smoothing(const std::pair<double, double>& range, const Sweep& sweep) {
+  if (range.first == range.second)
+    sweep(UniformSmoothing(range.first));
+  else
+    sweep(MeanSmoothing{});
+}
 
 }  // namespace tektite

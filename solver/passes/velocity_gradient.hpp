@@ -20,13 +20,7 @@ struct VelocityGradient {
   using Sums = struct { Tensor<Pack, D> gradient = Tensor<Pack, D>::zero(); };
 
   Self begin(std::size_t i) const {
-    Self a;
-    for (int k = 0; k < D; ++k) {
-      a.x[k] = records[i].x[k];
-      a.v[k] = records[i].v[k];
-    }
-    a.h = records[i].smoothing_length;
-    return a;
+    return {broadcast(records[i].x), broadcast(records[i].v), records[i].smoothing_length};
   }
 
   void add(const Self& a, const std::uint32_t* j, Sums& sums) const {

@@ -26,14 +26,14 @@ class EulerianPart {
     renew();
   }
   void restore(const std::map<std::string, double>& state) {
-    eulerian_ = eulerian_of_each(particles_);
-    if (any()) neighbourhood_.restore(state.at("search_reach"));
+    note();
+    neighbourhood_.restore(state);
   }
-  void save(std::map<std::string, double>& state) const { state["search_reach"] = neighbourhood_.reach(); }
+  void save(std::map<std::string, double>& state) const { neighbourhood_.save(state); }
 
   /// Some particles have another kernel type than before.
   void renew() {
-    eulerian_ = eulerian_of_each(particles_);
+    note();
     if (any()) neighbourhood_.renew(0.0);
   }
   /// Makes the search good for a step dt.
@@ -41,8 +41,8 @@ class EulerianPart {
     if (any()) neighbourhood_.prepare(dt);
   }
 
-  bool any() const { return std::ranges::find(eulerian_, 1) != eulerian_.end(); }
-  std::size_t count() const { return static_cast<std::size_t>(std::ranges::count(eulerian_, 1)); }
+  bool any() const { return count_ > 0; }
+  std::size_t count() const { return count_; }
   /// Eulerian particles that go without correction.
   std::size_t without_correction() const { return sums_.without(); }
 
@@ -75,11 +75,17 @@ class EulerianPart {
   }
 
  private:
+  void note() {
+    eulerian_ = eulerian_of_each(particles_);
+    count_ = static_cast<std::size_t>(std::ranges::count(eulerian_, 1));
+  }
+
   Particles& particles_;
   Neighbourhood<D> neighbourhood_;
   CorrectedSums<Kernel, D> sums_;
   std::vector<EulerianRecord<D>> records_;
   std::vector<std::uint8_t> eulerian_;
+  std::size_t count_ = 0;
 };
 
 }  // namespace tektite

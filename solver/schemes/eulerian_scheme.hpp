@@ -1,7 +1,5 @@
 #pragma once
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <optional>
 
@@ -12,10 +10,11 @@
 #include "passes/assemble_records.hpp"
 #include "passes/body_contact.hpp"
 #include "passes/eulerian_rates.hpp"
-#include "passes/hold_clamped.hpp"
 #include "passes/predict_motion.hpp"
 #include "passes/smoothing.hpp"
 #include "schemes/corrected_sums.hpp"
+#include "schemes/hold_still.hpp"
+#include "schemes/make_scheme_in.hpp"
 #include "schemes/material_passes.hpp"
 #include "schemes/scheme.hpp"
 #include "schemes/state_sums.hpp"
@@ -34,7 +33,7 @@ class EulerianScheme final : public Scheme {
         settings_(setup.settings),
         viscosity_(std::get<MonaghanViscosity>(setup.settings.viscosity)),
         materials_(setup.particles, setup.materials),
-        smoothing_(smallest_and_largest(setup.particles)),
+        smoothing_(smoothing_range(setup.particles)),
         neighbourhood_(setup.particles, Kernel::support * smoothing_.second, setup.symmetry,
                        {setup.settings.contact ? Pairing::within_bodies : Pairing::all}) {
     if (CorrectedSums<Kernel, D>::needed(settings_)) corrected_.emplace(settings_);
@@ -54,7 +53,7 @@ class EulerianScheme final : public Scheme {
     }
     materials_.start();
     allocate_scratch();
-    materials_.for_each_run([&](const auto& run) { evaluate_state(run); });
+    materials_.evaluate_state();
     neighbourhood_.prepare(0.0);
     if (contact_) contact_->start();
     evaluate_rates(0.0);
@@ -62,12 +61,11 @@ class EulerianScheme final : public Scheme {
 
   void restore(const std::map<std::string, double>& state) override {
     allocate_scratch();
-    neighbourhood_.restore(state.at("search_reach"), static_cast<int>(state.at("searches_since_order")));
+    neighbourhood_.restore(state);
     if (contact_) contact_->restore(state);
   }
   void save(std::map<std::string, double>& state) const override {
-    state["search_reach"] = neighbourhood_.reach();
-    state["searches_since_order"] = neighbourhood_.searches_since_order();
+    neighbourhood_.save(state);
     if (contact_) contact_->save(state);
   }
 
@@ -78,10 +76,7 @@ class EulerianScheme final : public Scheme {
   }
 
   TimeStep stable_step() const override {
-    const auto least = least_stable_step<D>(particles_, settings_.courant, viscosity_);
-    const auto contact = contact_ ? contact_->stable_step(settings_.courant) : least;
-    const auto& choice = contact.dt < least.dt ? contact : least;
-    return {choice.dt, choice.reason, choice.particle};
+    return with_contact(least_stable_step<D>(particles_, settings_.courant, viscosity_), contact_, settings_.courant);
   }
 
   Ledger ledger() override { return ledger_of<D>(particles_, contact_ ? contact_->energy() : 0.0); }
@@ -91,10 +86,7 @@ class EulerianScheme final : public Scheme {
     return body_contact(neighbourhood_.pairs(), particles_.bodies(), records_, Kernel::support);
   }
 
-  std::string remark() const override {
-    if (!corrected_ || corrected_->without() == 0) return {};
-    return fmt::format("{} particles have too few neighbours for the correction and go without", corrected_->without());
-  }
+  std::string remark() const override { return remark_on_correction(corrected_ ? corrected_->without() : 0); }
 
   std::size_t memory() const override {
     return neighbourhood_.memory() + (contact_ ? contact_->memory() : 0) +
@@ -102,12 +94,6 @@ class EulerianScheme final : public Scheme {
   }
 
  private:
-  static std::pair<double, double> smallest_and_largest(const Particles& particles) {
-    const auto h = particles.reals(Field::smoothing_length);
-    const auto [least, most] = std::minmax_element(h.begin(), h.end());
-    return {*least, *most};
-  }
-
   void allocate_scratch() {
     for (const auto field : {Field::half_density, Field::half_energy, Field::half_pressure, Field::half_sound_speed,
                              Field::half_deviatoric_stress})
@@ -128,17 +114,12 @@ class EulerianScheme final : public Scheme {
     const auto scope = profile_.time("pairs");
     if (corrected_)
       corrected_->evaluate(particles_, neighbourhood_.pairs(), neighbourhood_.mirror(), records_, nullptr);
-    else if (smoothing_.first == smoothing_.second)
-      sum_over_pairs<UniformSmoothing>();
     else
-      sum_over_pairs<MeanSmoothing>();
+      with_smoothing(smoothing_, [this](const auto& smoothing) { sum_over_pairs(smoothing); });
     auto& p = particles_;
     if (contact_)
       contact_->add_forces([this](std::size_t i) { return records_[i].x; }, p.template vectors<D>(Field::acceleration));
-    if (p.has(Field::clamped))
-      run_through({0, p.count()},
-                  HoldClamped<D>{p.integers(Field::clamped).data(), p.template vectors<D>(Field::acceleration)});
-    neighbourhood_.mirror().hold(p.template vectors<D>(Field::acceleration));
+    hold_still(p, neighbourhood_.mirror(), p.template vectors<D>(Field::acceleration));
   }
 
   void predict(double half_step) {
@@ -171,13 +152,13 @@ class EulerianScheme final : public Scheme {
   }
 
   template <class Smoothing>
-  void sum_over_pairs() {
+  void sum_over_pairs(const Smoothing& smoothing) {
     auto& p = particles_;
     for_each_pair(neighbourhood_.pairs(),
                   EulerianRates<Kernel, Smoothing, MonaghanViscosity, D>{
-                      records_.data(), Smoothing(smoothing_.first), viscosity_,
-                      p.template vectors<D>(Field::acceleration), p.template tensors<D>(Field::velocity_gradient),
-                      p.scalars(Field::viscous_power), p.scalars(Field::viscous_signal)});
+                      records_.data(), smoothing, viscosity_, p.template vectors<D>(Field::acceleration),
+                      p.template tensors<D>(Field::velocity_gradient), p.scalars(Field::viscous_power),
+                      p.scalars(Field::viscous_signal)});
   }
 
   /// The whole state at the end of a step.
@@ -197,15 +178,8 @@ class EulerianScheme final : public Scheme {
                                  p.scalars(Field::specific_internal_energy), p.scalars(Field::viscous_work)});
       materials_.advance_strength(run, dt);
       materials_.advance_damage(run, dt);
-      evaluate_state(run);
+      materials_.evaluate_state(run);
     });
-  }
-
-  /// Pressure and wave speeds.
-  void evaluate_state(const typename MaterialPasses<D, plane_stress>::Run& run) const {
-    materials_.evaluate_eos(run, Field::density, Field::specific_internal_energy, Field::pressure, Field::sound_speed);
-    materials_.release(run, Field::deviatoric_stress, Field::pressure);
-    materials_.evaluate_wave_speed(run);
   }
 
   const double* across_rate() { return plane_stress ? particles_.scalars(Field::across_rate) : nullptr; }
@@ -226,14 +200,8 @@ class EulerianScheme final : public Scheme {
 /// One space for all kernels; each space is instantiated in a translation unit of its own.
 template <Space space>
 std::unique_ptr<Scheme> make_eulerian_in(const SchemeSetup& setup) {
-  std::unique_ptr<Scheme> scheme;
-  const auto attempt = [&]<class K>(std::type_identity<K>) {
-    if (K::name == setup.settings.kernel) scheme = std::make_unique<EulerianScheme<space, K>>(setup);
-  };
-  attempt(std::type_identity<CubicSpline>{});
-  attempt(std::type_identity<WendlandC2>{});
-  attempt(std::type_identity<TruncatedGaussian>{});
-  return scheme;
+  return with_kernel(setup.settings.kernel,
+                     [&]<class K>(std::type_identity<K>) { return std::make_unique<EulerianScheme<space, K>>(setup); });
 }
 
 }  // namespace tektite

@@ -10,9 +10,4 @@ namespace tektite {
 /// space is not supported.
 std::unique_ptr<Scheme> make_godunov_pm(const SchemeSetup& setup);
 
-// Each space in a translation unit of its own.
-std::unique_ptr<Scheme> make_godunov_pm_line(const SchemeSetup& setup);
-std::unique_ptr<Scheme> make_godunov_pm_plane_strain(const SchemeSetup& setup);
-std::unique_ptr<Scheme> make_godunov_pm_solid(const SchemeSetup& setup);
-
 }  // namespace tektite

@@ -19,6 +19,7 @@ class GodunovPmScheme final : public GodunovScheme<space, Kernel, ContactStateRe
   using Base::power_;
   using Base::profile_;
   using Base::records_;
+  using Base::smoothing_;
   using typename Base::Run;
 
  public:
@@ -48,7 +49,7 @@ class GodunovPmScheme final : public GodunovScheme<space, Kernel, ContactStateRe
       neighbourhood_.mirror().fill(records_, p.count());
     }
     const auto scope = profile_.time("pairs");
-    this->with_smoothing([&](const auto& smoothing) {
+    with_smoothing(smoothing_, [&](const auto& smoothing) {
       for_each_pair(neighbourhood_.pairs(),
                     ContactRates<Kernel, std::decay_t<decltype(smoothing)>, D>{
                         records_.data(), smoothing, p.scalars(Field::density),
@@ -68,9 +69,17 @@ class GodunovPmScheme final : public GodunovScheme<space, Kernel, ContactStateRe
                                     p.scalars(Field::specific_internal_energy), p.scalars(Field::density)});
       materials_.advance_strength(run, dt, Field::density);
       materials_.advance_damage(run, dt);
-      this->evaluate_state(run);
+      materials_.evaluate_state(run);
     });
   }
 };
+
+/// One space for all kernels; each space is instantiated in a translation unit of its own.
+template <Space space>
+std::unique_ptr<Scheme> make_godunov_pm_in(const SchemeSetup& setup) {
+  return with_kernel(setup.settings.kernel, [&]<class K>(std::type_identity<K>) {
+    return std::make_unique<GodunovPmScheme<space, K>>(setup);
+  });
+}
 
 }  // namespace tektite

@@ -10,8 +10,9 @@
 #include "parallel/for_each_pair.hpp"
 #include "passes/body_contact.hpp"
 #include "passes/godunov_motion.hpp"
-#include "passes/hold_clamped.hpp"
 #include "passes/smoothing.hpp"
+#include "schemes/hold_still.hpp"
+#include "schemes/make_scheme_in.hpp"
 #include "schemes/material_passes.hpp"
 #include "schemes/scheme.hpp"
 #include "schemes/state_sums.hpp"
@@ -32,7 +33,7 @@ class GodunovScheme : public Scheme {
         profile_(setup.profile),
         settings_(setup.settings),
         materials_(setup.particles, setup.materials),
-        smoothing_(smallest_and_largest(setup.particles)),
+        smoothing_(smoothing_range(setup.particles)),
         neighbourhood_(setup.particles, Kernel::support * smoothing_.second, setup.symmetry,
                        {setup.settings.contact ? Pairing::within_bodies : Pairing::all}) {
     if (settings_.contact)
@@ -46,7 +47,7 @@ class GodunovScheme : public Scheme {
     if (!particles_.has(Field::specific_internal_energy)) particles_.allocate(Field::specific_internal_energy);
     materials_.start();
     allocate_scratch();
-    evaluate_state();
+    materials_.evaluate_state();
     neighbourhood_.prepare(0.0);
     if (contact_) contact_->start();
     step(0.0);  // nothing moves: speeds of approach for the first time step
@@ -54,22 +55,19 @@ class GodunovScheme : public Scheme {
 
   void restore(const std::map<std::string, double>& state) override {
     allocate_scratch();
-    neighbourhood_.restore(state.at("search_reach"), static_cast<int>(state.at("searches_since_order")));
+    neighbourhood_.restore(state);
     if (contact_) contact_->restore(state);
     resize_records();
     place_records();
   }
   void save(std::map<std::string, double>& state) const override {
-    state["search_reach"] = neighbourhood_.reach();
-    state["searches_since_order"] = neighbourhood_.searches_since_order();
+    neighbourhood_.save(state);
     if (contact_) contact_->save(state);
   }
 
   TimeStep stable_step() const override {
-    const auto least = least_acoustic_step<D>(particles_, settings_.courant);
-    const auto contact = contact_ ? contact_->stable_step(settings_.courant) : least;
-    const auto& choice = contact.dt < least.dt ? contact : least;
-    return {choice.dt, choice.reason, choice.particle};
+    const auto motion = [approach = particles_.scalars(Field::approach_speed)](std::size_t i) { return approach[i]; };
+    return with_contact(least_acoustic_step<D>(particles_, settings_.courant, motion), contact_, settings_.courant);
   }
 
   Ledger ledger() override { return ledger_of<D>(particles_, contact_ ? contact_->energy() : 0.0); }
@@ -125,31 +123,7 @@ class GodunovScheme : public Scheme {
              [=, v = p.template vectors<D>(Field::velocity)](std::size_t i) { v[i] += dt * acceleration[i]; });
   }
 
-  /// sweep(smoothing) with what gives a pair's smoothing length.
-  template <class Sweep>
-  void with_smoothing(const Sweep& sweep) const {
-    if (smoothing_.first == smoothing_.second)
-      sweep(UniformSmoothing(smoothing_.first));
-    else
-      sweep(MeanSmoothing(smoothing_.first));
-  }
-
-  /// Clamped particles and those on a symmetry plane stay where they have to.
-  void hold(Vector<double, D>* acceleration) {
-    if (particles_.has(Field::clamped))
-      run_through({0, particles_.count()}, HoldClamped<D>{particles_.integers(Field::clamped).data(), acceleration});
-    neighbourhood_.mirror().hold(acceleration);
-  }
-
-  /// Pressure and wave speeds of the present state.
-  void evaluate_state() {
-    materials_.for_each_run([&](const Run& run) { evaluate_state(run); });
-  }
-  void evaluate_state(const Run& run) const {
-    materials_.evaluate_eos(run, Field::density, Field::specific_internal_energy, Field::pressure, Field::sound_speed);
-    materials_.release(run, Field::deviatoric_stress, Field::pressure);
-    materials_.evaluate_wave_speed(run);
-  }
+  void hold(Vector<double, D>* acceleration) { hold_still(particles_, neighbourhood_.mirror(), acceleration); }
 
   const double* damage() const { return particles_.has(Field::damage) ? particles_.scalars(Field::damage) : nullptr; }
 
@@ -163,26 +137,6 @@ class GodunovScheme : public Scheme {
   std::vector<Record> records_;
   std::vector<double> power_;       ///< W/kg
   std::vector<double> divergence_;  ///< of the velocities at the contacts, 1/s
-
- private:
-  static std::pair<double, double> smallest_and_largest(const Particles& particles) {
-    const auto h = particles.reals(Field::smoothing_length);
-    const auto [least, most] = std::minmax_element(h.begin(), h.end());
-    return {*least, *most};
-  }
 };
-
-/// The scheme in one space for the kernel that the scene asks for.
-template <template <Space, class> class SchemeOf, Space space>
-std::unique_ptr<Scheme> make_with_kernel(const SchemeSetup& setup) {
-  std::unique_ptr<Scheme> scheme;
-  const auto attempt = [&]<class K>(std::type_identity<K>) {
-    if (K::name == setup.settings.kernel) scheme = std::make_unique<SchemeOf<space, K>>(setup);
-  };
-  attempt(std::type_identity<CubicSpline>{});
-  attempt(std::type_identity<WendlandC2>{});
-  attempt(std::type_identity<TruncatedGaussian>{});
-  return scheme;
-}
 
 }  // namespace tektite

@@ -10,9 +10,4 @@ namespace tektite {
 /// InputError where the space is not supported.
 std::unique_ptr<Scheme> make_godunov_split(const SchemeSetup& setup);
 
-// Each space in a translation unit of its own.
-std::unique_ptr<Scheme> make_godunov_split_line(const SchemeSetup& setup);
-std::unique_ptr<Scheme> make_godunov_split_plane_strain(const SchemeSetup& setup);
-std::unique_ptr<Scheme> make_godunov_split_solid(const SchemeSetup& setup);
-
 }  // namespace tektite

@@ -27,6 +27,7 @@ class GodunovSplitScheme final : public GodunovScheme<space, Kernel, Hydrodynami
   using Base::profile_;
   using Base::records_;
   using Base::settings_;
+  using Base::smoothing_;
   using typename Base::Run;
 
  public:
@@ -88,7 +89,7 @@ class GodunovSplitScheme final : public GodunovScheme<space, Kernel, Hydrodynami
 
   template <int order>
   void sum_deviator() {
-    this->with_smoothing([&](const auto& smoothing) {
+    with_smoothing(smoothing_, [&](const auto& smoothing) {
       for_each_pair(neighbourhood_.pairs(),
                     DeviatoricRates<Kernel, std::decay_t<decltype(smoothing)>, D, order>{
                         deviatoric_.data(), smoothing, particles_.template vectors<D>(Field::acceleration),
@@ -130,7 +131,7 @@ class GodunovSplitScheme final : public GodunovScheme<space, Kernel, Hydrodynami
   template <class Solver, class Limiter>
   void sum_contacts(double dt, const Solver& solver, const Limiter& limiter) {
     auto& p = particles_;
-    this->with_smoothing([&](const auto& smoothing) {
+    with_smoothing(smoothing_, [&](const auto& smoothing) {
       for_each_pair(neighbourhood_.pairs(),
                     HydrodynamicRates<Kernel, std::decay_t<decltype(smoothing)>, D, Solver, Limiter>{
                         records_.data(), smoothing, solver, limiter, dt, p.template vectors<D>(Field::acceleration),
@@ -149,7 +150,7 @@ class GodunovSplitScheme final : public GodunovScheme<space, Kernel, Hydrodynami
                                     p.template vectors<D>(Field::position), p.template vectors<D>(Field::velocity),
                                     p.scalars(Field::specific_internal_energy), p.scalars(Field::density)});
       advance_stress(run, part);
-      this->evaluate_state(run);
+      materials_.evaluate_state(run);
     });
   }
 
@@ -164,7 +165,7 @@ class GodunovSplitScheme final : public GodunovScheme<space, Kernel, Hydrodynami
     assemble_deviatoric();
     {
       const auto scope = profile_.time("deviatoric pairs");
-      this->with_smoothing([&](const auto& smoothing) {
+      with_smoothing(smoothing_, [&](const auto& smoothing) {
         for_each_pair(neighbourhood_.pairs(),
                       VelocityGradient<Kernel, std::decay_t<decltype(smoothing)>, D>{
                           deviatoric_.data(), smoothing, particles_.template tensors<D>(Field::velocity_gradient)});
@@ -176,7 +177,7 @@ class GodunovSplitScheme final : public GodunovScheme<space, Kernel, Hydrodynami
     });
     kick_by_deviator(part, false);
     this->kick_by_contact(part);
-    this->evaluate_state();
+    materials_.evaluate_state();
     this->place_records();
   }
 
@@ -184,5 +185,13 @@ class GodunovSplitScheme final : public GodunovScheme<space, Kernel, Hydrodynami
   std::map<const Material*, double> shock_slope_;
   std::vector<DeviatoricRecord<D>> deviatoric_;
 };
+
+/// One space for all kernels; each space is instantiated in a translation unit of its own.
+template <Space space>
+std::unique_ptr<Scheme> make_godunov_split_in(const SchemeSetup& setup) {
+  return with_kernel(setup.settings.kernel, [&]<class K>(std::type_identity<K>) {
+    return std::make_unique<GodunovSplitScheme<space, K>>(setup);
+  });
+}
 
 }  // namespace tektite

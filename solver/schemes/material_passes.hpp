@@ -76,6 +76,17 @@ class MaterialPasses {
         run.material->eos);
   }
 
+  /// Pressure, as far as it is borne, and wave speeds of the present state.
+  void evaluate_state(const Run& run) const {
+    evaluate_eos(run, Field::density, Field::specific_internal_energy, Field::pressure, Field::sound_speed);
+    release(run, Field::deviatoric_stress, Field::pressure);
+    evaluate_wave_speed(run);
+  }
+
+  void evaluate_state() const {
+    for_each_run([this](const Run& run) { evaluate_state(run); });
+  }
+
   void evaluate_wave_speed(const Run& run) const {
     const double shear_modulus =
         std::visit([](const auto& model) { return model.shear_modulus; }, run.material->strength);

@@ -1,6 +1,9 @@
 #pragma once
 // The mixed kernel-and-gradient correction of all particles of a list.
 
+#include <fmt/format.h>
+
+#include <string>
 #include <vector>
 
 #include "boundary/mirror.hpp"
@@ -10,6 +13,12 @@
 #include "passes/correction_sums.hpp"
 
 namespace tektite {
+
+/// What a user is told of particles without correction; empty where there are none.
+inline std::string remark_on_correction(std::size_t without) {
+  if (without == 0) return {};
+  return fmt::format("{} particles have too few neighbours for the correction and go without", without);
+}
 
 template <class Kernel, int D>
 class MixedCorrection {

@@ -1,5 +1,7 @@
 #include "schemes/msph.hpp"
 
+#include "schemes/make_scheme_in.hpp"
+
 namespace tektite {
 
 // Each space in a translation unit of its own: msph_line.cpp and so on.
@@ -28,24 +30,8 @@ void check_support(const SchemeSetup& setup) {
 
 std::unique_ptr<Scheme> make_ssph(const SchemeSetup& setup) {
   check_support(setup);
-  switch (setup.particles.space()) {
-    case Space::line:
-      return make_msph_in<Space::line>(setup);
-    case Space::plane_strain:
-      return make_msph_in<Space::plane_strain>(setup);
-    case Space::solid:
-      return make_msph_in<Space::solid>(setup);
-    case Space::cylindrical:
-      return make_msph_in<Space::cylindrical>(setup);
-    case Space::spherical:
-      return make_msph_in<Space::spherical>(setup);
-    case Space::axisymmetric:
-      return make_msph_in<Space::axisymmetric>(setup);
-    case Space::plane_stress:
-      break;
-  }
-  refuse(setup, "space", "plane-stress", "line, plane-strain, solid, cylindrical, spherical, axisymmetric");
-  return nullptr;
+  return in_space<Space::line, Space::plane_strain, Space::solid, Space::cylindrical, Space::spherical,
+                  Space::axisymmetric>(setup, [&](auto space) { return make_msph_in<space()>(setup); });
 }
 
 std::unique_ptr<Scheme> make_msph(const SchemeSetup& setup) {

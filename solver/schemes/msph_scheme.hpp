@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <limits>
-
 #include "boundary/anvil.hpp"
 #include "neighbours/neighbourhood.hpp"
 #include "parallel/for_each_pair.hpp"
@@ -12,6 +10,7 @@
 #include "passes/msph_motion.hpp"
 #include "passes/msph_sums.hpp"
 #include "passes/msph_surface.hpp"
+#include "schemes/make_scheme_in.hpp"
 #include "schemes/material_passes.hpp"
 #include "schemes/scheme.hpp"
 #include "schemes/state_sums.hpp"
@@ -32,7 +31,7 @@ class MsphScheme final : public Scheme {
         profile_(setup.profile),
         settings_(setup.settings),
         materials_(setup.particles, setup.materials),
-        neighbourhood_(setup.particles, support(setup.particles), setup.symmetry),
+        neighbourhood_(setup.particles, Kernel::support * smoothing_range(setup.particles).second, setup.symmetry),
         anvil_(setup.settings.anvil) {}
 
   void start() override {
@@ -42,19 +41,18 @@ class MsphScheme final : public Scheme {
     if (!particles_.has(Field::specific_internal_energy)) particles_.allocate(Field::specific_internal_energy);
     materials_.start();
     allocate_scratch();
-    materials_.for_each_run([&](const auto& run) { evaluate_state(run); });
+    materials_.evaluate_state();
     neighbourhood_.prepare(0.0);
     assemble();
   }
   void restore(const std::map<std::string, double>& state) override {
     allocate_scratch();
-    neighbourhood_.restore(state.at("search_reach"), static_cast<int>(state.at("searches_since_order")));
+    neighbourhood_.restore(state);
     lower_order_ = {state.at("first_order_particle_steps"), state.at("zeroth_order_particle_steps")};
     assemble();
   }
   void save(std::map<std::string, double>& state) const override {
-    state["search_reach"] = neighbourhood_.reach();
-    state["searches_since_order"] = neighbourhood_.searches_since_order();
+    neighbourhood_.save(state);
     state["first_order_particle_steps"] = lower_order_.first;
     state["zeroth_order_particle_steps"] = lower_order_.second;
   }
@@ -73,11 +71,9 @@ class MsphScheme final : public Scheme {
   }
 
   TimeStep stable_step() const override {
-    const Particles& p = particles_;
-    const MsphStepLimit<D> pass{settings_.courant, p.scalars(Field::smoothing_length), p.scalars(Field::wave_speed),
-                                p.scalars(Field::density), p.template vectors<D>(Field::velocity)};
-    using Least = typename TimeStepLimit<D>::Least;
-    const auto least = reduce(p.count(), Least{std::numeric_limits<double>::infinity()}, pass, TimeStepLimit<D>::join);
+    const auto* v = particles_.template vectors<D>(Field::velocity);
+    const auto least =
+        least_acoustic_step<D>(particles_, settings_.courant, [v](std::size_t i) { return norm(v[i]); });  // eq. 3.22
     return {least.dt, least.reason, least.particle};
   }
   Ledger ledger() override { return ledger_of<D>(particles_, 0.0); }
@@ -102,11 +98,6 @@ class MsphScheme final : public Scheme {
 
  private:
   using Run = typename MaterialPasses<D, across>::Run;
-
-  static double support(const Particles& particles) {
-    const auto h = particles.reals(Field::smoothing_length);
-    return Kernel::support * *std::max_element(h.begin(), h.end());
-  }
 
   void allocate_scratch() {
     for (const auto field :
@@ -240,7 +231,7 @@ class MsphScheme final : public Scheme {
       materials_.advance_strength(run, dt);
     });
     smooth_density();
-    materials_.for_each_run([&](const Run& run) { evaluate_state(run); });
+    materials_.evaluate_state();
   }
 
   void smooth_density() {
@@ -250,12 +241,6 @@ class MsphScheme final : public Scheme {
     for_each_pair(neighbourhood_.pairs(),
                   SmoothDensity<Kernel, D>{gather(), densities_.data(), settings_.smoothing_share, smoothed_.data()});
     std::ranges::copy(smoothed_, density.begin());
-  }
-
-  void evaluate_state(const Run& run) const {
-    materials_.evaluate_eos(run, Field::density, Field::specific_internal_energy, Field::pressure, Field::sound_speed);
-    materials_.release(run, Field::deviatoric_stress, Field::pressure);
-    materials_.evaluate_wave_speed(run);
   }
 
   template <class Pass>
@@ -283,14 +268,9 @@ std::unique_ptr<Scheme> make_msph_in(const SchemeSetup& setup) {
   constexpr int D = dimensions_of(space);
   if (setup.settings.type == "msph")
     return std::make_unique<MsphScheme<space, MsphWeights<D>, TruncatedGaussian>>(setup);
-  std::unique_ptr<Scheme> scheme;
-  const auto attempt = [&]<class K>(std::type_identity<K>) {
-    if (K::name == setup.settings.kernel) scheme = std::make_unique<MsphScheme<space, SsphWeights<K, D>, K>>(setup);
-  };
-  attempt(std::type_identity<CubicSpline>{});
-  attempt(std::type_identity<WendlandC2>{});
-  attempt(std::type_identity<TruncatedGaussian>{});
-  return scheme;
+  return with_kernel(setup.settings.kernel, [&]<class K>(std::type_identity<K>) {
+    return std::make_unique<MsphScheme<space, SsphWeights<K, D>, K>>(setup);
+  });
 }
 
 }  // namespace tektite

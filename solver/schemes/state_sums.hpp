@@ -1,7 +1,10 @@
 #pragma once
-// What every scheme asks of all its particles: the smallest stable time step, and the ledger.
+// What every scheme asks of all its particles: the smallest stable time step, the range of h, and the ledger.
 
+#include <algorithm>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "parallel/reduce.hpp"
 #include "passes/acoustic_step_limit.hpp"
@@ -28,13 +31,30 @@ typename TimeStepLimit<D>::Least least_stable_step(const Particles& p, double co
                 TimeStepLimit<D>::join);
 }
 
-/// The same for a scheme without viscosity.
-template <int D>
-typename TimeStepLimit<D>::Least least_acoustic_step(const Particles& p, double courant) {
-  const AcousticStepLimit<D> pass{courant, p.scalars(Field::smoothing_length), p.scalars(Field::wave_speed),
-                                  p.scalars(Field::approach_speed), p.scalars(Field::density)};
+/// The same for a scheme without viscosity; motion(i) is the speed in m/s that adds to that of sound.
+template <int D, class Motion>
+typename TimeStepLimit<D>::Least least_acoustic_step(const Particles& p, double courant, const Motion& motion) {
+  const AcousticStepLimit<D, Motion> pass{courant, p.scalars(Field::smoothing_length), p.scalars(Field::wave_speed),
+                                          p.scalars(Field::density), motion};
   return reduce(p.count(), typename TimeStepLimit<D>::Least{std::numeric_limits<double>::infinity()}, pass,
                 TimeStepLimit<D>::join);
+}
+
+/// The smaller of a step and that of the contact between bodies, if there is one.
+template <class Least, class Contact>
+TimeStep with_contact(Least least, const std::optional<Contact>& contact, double courant) {
+  if (contact) {
+    const auto limit = contact->stable_step(courant);
+    if (limit.dt < least.dt) least = limit;
+  }
+  return {least.dt, least.reason, least.particle};
+}
+
+/// Smallest and largest h.
+inline std::pair<double, double> smoothing_range(const Particles& particles) {
+  const auto h = particles.reals(Field::smoothing_length);
+  const auto [least, most] = std::minmax_element(h.begin(), h.end());
+  return {*least, *most};
 }
 
 /// Energies and momentum; `contact` is what is stored between bodies, J.

@@ -1,5 +1,7 @@
 #include "schemes/total_lagrangian.hpp"
 
+#include "schemes/make_scheme_in.hpp"
+
 namespace tektite {
 
 // Each space in a translation unit of its own: total_lagrangian_line.cpp and so on.
@@ -13,24 +15,8 @@ std::unique_ptr<Scheme> make_total_lagrangian(const SchemeSetup& setup) {
                       {},
                       setup.settings.type + " bodies meet by contact alone, and the scene has none",
                       "[contact]"});
-  switch (setup.particles.space()) {
-    case Space::line:
-      return make_total_lagrangian_in<Space::line>(setup);
-    case Space::plane_strain:
-      return make_total_lagrangian_in<Space::plane_strain>(setup);
-    case Space::solid:
-      return make_total_lagrangian_in<Space::solid>(setup);
-    case Space::plane_stress:
-    case Space::cylindrical:
-    case Space::spherical:
-    case Space::axisymmetric:
-      break;
-  }
-  throw InputError({{},
-                    "space",
-                    std::string(name_of(setup.particles.space())),
-                    "the scheme " + setup.settings.type + " does not support it",
-                    "line, plane-strain, solid"});
+  return in_space<Space::line, Space::plane_strain, Space::solid>(
+      setup, [&](auto space) { return make_total_lagrangian_in<space()>(setup); });
 }
 
 }  // namespace tektite

@@ -9,12 +9,13 @@
 #include "neighbours/order.hpp"
 #include "neighbours/reference_pairs.hpp"
 #include "parallel/for_each_pair.hpp"
-#include "passes/hold_clamped.hpp"
 #include "passes/interface_stress.hpp"
 #include "passes/lagrangian_motion.hpp"
 #include "passes/lagrangian_sums.hpp"
 #include "schemes/converter.hpp"
 #include "schemes/eulerian_part.hpp"
+#include "schemes/hold_still.hpp"
+#include "schemes/make_scheme_in.hpp"
 #include "schemes/material_passes.hpp"
 #include "schemes/mixed_correction.hpp"
 #include "schemes/scheme.hpp"
@@ -59,7 +60,7 @@ class TotalLagrangianScheme final : public Scheme {
     prepare();
     if (eulerian_) eulerian_->start();
     if (contact_) contact_->start();
-    materials_.for_each_run([&](const auto& run) { evaluate_state(run); });
+    materials_.evaluate_state();
     evaluate_rates(0.0);
   }
 
@@ -85,10 +86,7 @@ class TotalLagrangianScheme final : public Scheme {
   }
 
   TimeStep stable_step() const override {
-    const auto least = least_stable_step<D>(particles_, settings_.courant, viscosity_);
-    const auto contact = contact_ ? contact_->stable_step(settings_.courant) : least;
-    const auto& choice = contact.dt < least.dt ? contact : least;
-    return {choice.dt, choice.reason, choice.particle};
+    return with_contact(least_stable_step<D>(particles_, settings_.courant, viscosity_), contact_, settings_.courant);
   }
 
   Ledger ledger() override { return ledger_of<D>(particles_, contact_ ? contact_->energy() : 0.0); }
@@ -97,11 +95,8 @@ class TotalLagrangianScheme final : public Scheme {
   std::string remark() const override {
     std::string text;
     if (eulerian_ && eulerian_->any()) text = fmt::format("{} particles are Eulerian", eulerian_->count());
-    const auto without = uncorrected_ + (eulerian_ ? eulerian_->without_correction() : 0);
-    if (without > 0)
-      text += fmt::format("{}{} particles have too few neighbours for the correction and go without",
-                          text.empty() ? "" : "; ", without);
-    return text;
+    const auto other = remark_on_correction(uncorrected_ + (eulerian_ ? eulerian_->without_correction() : 0));
+    return text + (text.empty() || other.empty() ? "" : "; ") + other;
   }
 
   std::size_t memory() const override {
@@ -111,10 +106,7 @@ class TotalLagrangianScheme final : public Scheme {
   }
 
  private:
-  double support() const {
-    const auto h = particles_.reals(Field::smoothing_length);
-    return Kernel::support * *std::max_element(h.begin(), h.end());
-  }
+  double support() const { return Kernel::support * smoothing_range(particles_).second; }
 
   /// Everything that follows from the reference configuration alone.
   void prepare() {
@@ -200,10 +192,7 @@ class TotalLagrangianScheme final : public Scheme {
     }
     if (contact_)
       contact_->add_forces([this](std::size_t i) { return motion_[i].x; }, p.template vectors<D>(Field::acceleration));
-    if (p.has(Field::clamped))
-      run_through({0, p.count()},
-                  HoldClamped<D>{p.integers(Field::clamped).data(), p.template vectors<D>(Field::acceleration)});
-    mirror_.hold(p.template vectors<D>(Field::acceleration));
+    hold_still(p, mirror_, p.template vectors<D>(Field::acceleration));
   }
 
   /// Artificial stress of Eulerian particles on total-Lagrangian ones, where the scene asks for it.
@@ -276,14 +265,8 @@ class TotalLagrangianScheme final : public Scheme {
                       p.scalars(Field::specific_internal_energy), p.scalars(Field::viscous_work)});
       materials_.advance_strength(run, dt);
       materials_.advance_damage(run, dt);
-      evaluate_state(run);
+      materials_.evaluate_state(run);
     });
-  }
-
-  void evaluate_state(const Run& run) const {
-    materials_.evaluate_eos(run, Field::density, Field::specific_internal_energy, Field::pressure, Field::sound_speed);
-    materials_.release(run, Field::deviatoric_stress, Field::pressure);
-    materials_.evaluate_wave_speed(run);
   }
 
   Particles& particles_;
@@ -307,14 +290,9 @@ class TotalLagrangianScheme final : public Scheme {
 /// One space for all kernels; each space is instantiated in a translation unit of its own.
 template <Space space>
 std::unique_ptr<Scheme> make_total_lagrangian_in(const SchemeSetup& setup) {
-  std::unique_ptr<Scheme> scheme;
-  const auto attempt = [&]<class K>(std::type_identity<K>) {
-    if (K::name == setup.settings.kernel) scheme = std::make_unique<TotalLagrangianScheme<space, K>>(setup);
-  };
-  attempt(std::type_identity<CubicSpline>{});
-  attempt(std::type_identity<WendlandC2>{});
-  attempt(std::type_identity<TruncatedGaussian>{});
-  return scheme;
+  return with_kernel(setup.settings.kernel, [&]<class K>(std::type_identity<K>) {
+    return std::make_unique<TotalLagrangianScheme<space, K>>(setup);
+  });
 }
 
 }  // namespace tektite

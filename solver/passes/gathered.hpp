@@ -1,0 +1,76 @@
+#pragma once
+// What a pair pass reads of its records: a particle's own numbers in every lane, and a member of four neighbours.
+
+#include <cstdint>
+
+#include "core/pack.hpp"
+#include "core/tensor.hpp"
+
+namespace tektite {
+
+/// The same number in every lane, for each component.
+template <int D>
+[[gnu::always_inline]] inline Vector<Pack, D> broadcast(const Vector<double, D>& v) {
+  Vector<Pack, D> result;
+  for (int k = 0; k < D; ++k) result[k] = v[k];
+  return result;
+}
+template <int D>
+[[gnu::always_inline]] inline Tensor<Pack, D> broadcast(const Tensor<double, D>& t) {
+  Tensor<Pack, D> result;
+  for (int k = 0; k < D * D; ++k) result.c[k] = t.c[k];
+  return result;
+}
+template <std::size_t count>
+[[gnu::always_inline]] inline void broadcast(const double (&from)[count], Pack (&to)[count]) {
+  for (std::size_t k = 0; k < count; ++k) to[k] = from[k];
+}
+
+/// number(record) of the four neighbours in j.
+template <class Record, class Number>
+[[gnu::always_inline]] inline Pack gathered_by(const Record* records, const std::uint32_t* j, const Number& number) {
+  return Pack([&](auto lane) { return number(records[j[static_cast<std::size_t>(lane)]]); });
+}
+
+/// A member of the four neighbours in j, for each component.
+template <class Record, class Owner>
+[[gnu::always_inline]] inline Pack gathered(const Record* records, const std::uint32_t* j, double Owner::*member) {
+  return gathered_by(records, j, [member](const Record& r) { return r.*member; });
+}
+template <class Record, class Owner, int D>
+[[gnu::always_inline]] inline Vector<Pack, D> gathered(const Record* records, const std::uint32_t* j,
+                                                       Vector<double, D> Owner::*member) {
+  Vector<Pack, D> result;
+  for (int k = 0; k < D; ++k) result[k] = gathered_by(records, j, [=](const Record& r) { return (r.*member)[k]; });
+  return result;
+}
+template <class Record, class Owner, int D>
+[[gnu::always_inline]] inline Tensor<Pack, D> gathered(const Record* records, const std::uint32_t* j,
+                                                       Tensor<double, D> Owner::*member) {
+  Tensor<Pack, D> result;
+  for (int k = 0; k < D * D; ++k)
+    result.c[k] = gathered_by(records, j, [=](const Record& r) { return (r.*member).c[k]; });
+  return result;
+}
+template <class Record, class Owner, std::size_t count>
+[[gnu::always_inline]] inline void gather_into(Pack (&to)[count], const Record* records, const std::uint32_t* j,
+                                               double (Owner::*member)[count]) {
+  for (std::size_t k = 0; k < count; ++k)
+    to[k] = gathered_by(records, j, [=](const Record& r) { return (r.*member)[k]; });
+}
+
+/// The first `numbers` numbers of four records, turned: out[k] holds the k-th of each.
+template <std::size_t numbers, class Record>
+auto gather_records(const Record* records, const std::uint32_t* j) {
+  constexpr std::size_t rows = (numbers + pack_width - 1) / pack_width;
+  static_assert(rows * pack_width * sizeof(double) <= sizeof(Record));
+  const double* place[pack_width];
+  for (std::size_t k = 0; k < pack_width; ++k) place[k] = &records[j[k]].x[0];
+  struct {
+    Pack number[rows * pack_width];
+  } turned;
+  gather<rows>(place, turned.number);
+  return turned;
+}
+
+}  // namespace tektite
