@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "postprocess/measure/measure.hpp"
+#include "postprocess/measure/moment.hpp"
 
 namespace tektite {
 namespace {
@@ -35,24 +35,13 @@ Measured extreme(const Snapshot& snapshot, const Whole& whole, const std::string
   return {values[at], whole.time, std::abs(values[at] - sum / static_cast<double>(count)), {}};
 }
 
-/// The snapshot nearest to a time.
-Snapshot snapshot_near(const Event& event, double time) {
-  std::optional<Snapshot> nearest;
-  for (const auto& path : event.snapshots) {
-    auto snapshot = read_snapshot(path);
-    if (!nearest || std::abs(snapshot.time() - time) < std::abs(nearest->time() - time)) nearest = std::move(snapshot);
-  }
-  return std::move(*nearest);
-}
-
 Measure read_extreme(Section& section, const Declared& declared, Field field, Extreme which) {
   const auto body = read_body(section, "body", declared);
-  std::optional<double> time;
-  if (section.has("time")) time = section.quantity("time", dimension::time, limits::not_negative);
+  const auto time = read_moment(section);
   return [=](const Event& event) {
-    if (!time) return extreme(event.last_snapshot, event.last, body, field, which);
-    const auto snapshot = snapshot_near(event, *time);
-    return extreme(snapshot, make_whole(snapshot, event.symmetry), body, field, which);
+    return measured_at(event, time, [&](const Snapshot& snapshot, const Whole& whole) {
+      return extreme(snapshot, whole, body, field, which);
+    });
   };
 }
 

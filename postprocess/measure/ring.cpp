@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "postprocess/measure/measure.hpp"
+#include "postprocess/measure/moment.hpp"
 
 namespace tektite {
 namespace {
@@ -44,34 +44,21 @@ Radii radii_of(const Event& event, const Whole& now, std::int32_t body, const Po
   return radii;
 }
 
-/// The keys body, centre and time, and the snapshot that they choose.
+/// The keys body, centre and time.
 struct Chosen {
   std::string body;
   Point centre = Point::zero();
   std::optional<double> time;
-
-  Whole whole(const Event& event) const {
-    if (!time) return event.last;
-    std::string nearest;
-    double distance = limits::infinite;
-    for (const auto& path : event.snapshots) {
-      const double away = std::abs(read_snapshot(path).time() - *time);
-      if (away < distance) nearest = path;
-      distance = std::min(distance, away);
-    }
-    return make_whole(read_snapshot(nearest), event.symmetry);
-  }
 };
 
 Chosen read_chosen(Section& section, const Declared& declared) {
   const auto count = static_cast<std::size_t>(dimensions_of(declared.space));
   if (count != 2) throw section.fault("", "a ring lies in the plane", "plane-strain, plane-stress");
-  Chosen chosen{read_body(section, "body", declared), Point::zero(), std::nullopt};
+  Chosen chosen{read_body(section, "body", declared), Point::zero(), read_moment(section)};
   if (section.has("centre")) {
     const auto values = section.quantities("centre", dimension::length, count);
     for (std::size_t k = 0; k < count; ++k) chosen.centre[static_cast<int>(k)] = values[k];
   }
-  if (section.has("time")) chosen.time = section.quantity("time", dimension::time, limits::not_negative);
   return chosen;
 }
 
@@ -80,14 +67,15 @@ Chosen read_chosen(Section& section, const Declared& declared) {
 Measure read_radius(Section& section, const Declared& declared, Face face) {
   const auto chosen = read_chosen(section, declared);
   return [=](const Event& event) {
-    const auto whole = chosen.whole(event);
-    const auto body = whole.body_named(chosen.body);
-    const auto radii = radii_of(event, whole, body, chosen.centre, face);
-    const double half = 0.5 * event.initial.bodies[static_cast<std::size_t>(body)].spacing;
-    const double surface = radii.initial + (face == Face::inner ? -half : half);
-    const double square = radii.mean * radii.mean + surface * surface - radii.initial * radii.initial;
-    if (!(square > 0.0)) throw RunError("the ring has closed");
-    return Measured{std::sqrt(square), whole.time, 0.5 * (radii.largest - radii.least), {}};
+    return measured_at(event, chosen.time, [&](const Snapshot&, const Whole& whole) {
+      const auto body = whole.body_named(chosen.body);
+      const auto radii = radii_of(event, whole, body, chosen.centre, face);
+      const double half = 0.5 * event.initial.bodies[static_cast<std::size_t>(body)].spacing;
+      const double surface = radii.initial + (face == Face::inner ? -half : half);
+      const double square = radii.mean * radii.mean + surface * surface - radii.initial * radii.initial;
+      if (!(square > 0.0)) throw RunError("the ring has closed");
+      return Measured{std::sqrt(square), whole.time, 0.5 * (radii.largest - radii.least), {}};
+    });
   };
 }
 
@@ -106,9 +94,10 @@ Measure read_outer_radius(Section& section, const Declared& declared) {
 Measure read_symmetry_error(Section& section, const Declared& declared) {
   const auto chosen = read_chosen(section, declared);
   return [=](const Event& event) {
-    const auto whole = chosen.whole(event);
-    const auto radii = radii_of(event, whole, whole.body_named(chosen.body), chosen.centre, Face::inner);
-    return Measured{(radii.largest - radii.least) / radii.mean, whole.time, 0.0, {}};
+    return measured_at(event, chosen.time, [&](const Snapshot&, const Whole& whole) {
+      const auto radii = radii_of(event, whole, whole.body_named(chosen.body), chosen.centre, Face::inner);
+      return Measured{(radii.largest - radii.least) / radii.mean, whole.time, 0.0, {}};
+    });
   };
 }
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <unordered_map>
 
 #include "core/error.hpp"
 #include "postprocess/measure/measure.hpp"
@@ -38,15 +37,13 @@ Rod rod_of(const Event& event, const std::string& name) {
   const auto& particles = event.last_snapshot.particles;
   if (particles.space() != Space::axisymmetric)
     throw RunError(fmt::format("a rod is measured in an axisymmetric space, not in {}", name_of(particles.space())));
-  std::unordered_map<std::int64_t, std::size_t> place;
-  for (std::size_t i = 0; i < event.initial.count(); ++i)
-    if (event.initial.image[i] == 0) place[event.initial.id[i]] = i;
+  const auto place = places_in(event.initial, event.last);
   const auto& body = event.last.bodies[static_cast<std::size_t>(event.last.body_named(name))];
   Rod rod;
   rod.spacing = body.spacing;
   rod.time = event.last.time;
   for (auto i = body.range.begin; i < body.range.end; ++i) {
-    const auto& start = event.initial.position[place.at(event.last.id[i])];
+    const auto& start = event.initial.position[place[i]];
     const auto& now = event.last.position[i];
     rod.points.push_back({{start[0], start[1]}, {now[0], now[1]}});
   }

@@ -1,0 +1,31 @@
+#pragma once
+// The moment that a measure looks at: the last snapshot, or with the key `time` the one nearest to it.
+
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "postprocess/measure/measure.hpp"
+
+namespace tektite {
+
+/// The key `time` of a measure, in s.
+inline std::optional<double> read_moment(Section& section) {
+  if (!section.has("time")) return std::nullopt;
+  return section.quantity("time", dimension::time, limits::not_negative);
+}
+
+/// What work(snapshot, whole) gives of the moment.
+template <class Work>
+Measured measured_at(const Event& event, std::optional<double> time, const Work& work) {
+  if (!time) return work(event.last_snapshot, event.last);
+  std::optional<Snapshot> nearest;
+  for (const auto& path : event.snapshots) {
+    auto snapshot = read_snapshot(path);
+    if (!nearest || std::abs(snapshot.time() - *time) < std::abs(nearest->time() - *time))
+      nearest = std::move(snapshot);
+  }
+  return work(*nearest, make_whole(*nearest, event.symmetry));
+}
+
+}  // namespace tektite
