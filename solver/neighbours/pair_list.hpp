@@ -50,6 +50,14 @@ class PairList {
     });
   }
 
+  /// Drops the runs of which no particle is wanted: a loop over pairs then does not come to them at all.
+  void drop_runs(std::span<const std::uint8_t> wanted) {
+    std::erase_if(blocks_, [wanted](const Block& block) {
+      const auto run = wanted.subspan(block.begin, block.first.size() - 1);
+      return std::ranges::none_of(run, [](auto one) { return one != 0; });
+    });
+  }
+
   const std::vector<Block>& blocks() const { return blocks_; }
   std::size_t memory() const;
 

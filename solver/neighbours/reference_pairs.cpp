@@ -22,21 +22,29 @@ std::vector<std::uint8_t> eulerian_of_each(const Particles& particles) {
 }
 
 template <int D>
-PairList reference_pairs(const Particles& particles, Mirror<D>& mirror, double support) {
-  const auto* x = particles.vectors<D>(Field::reference_position);
-  std::vector<Vector<double, D>> places(x, x + particles.count());
-  mirror.find(places, support);
-  auto body = body_of_each(particles);
+ReferencePlaces<D>::ReferencePlaces(const Particles& particles, Mirror<D>& mirror, double support)
+    : body(body_of_each(particles)) {
+  const auto* own = particles.vectors<D>(Field::reference_position);
+  x.assign(own, own + particles.count());
+  mirror.find(x, support);
   mirror.repeat(body);
+}
+
+template <int D>
+PairList reference_pairs(const ReferencePlaces<D>& places, std::size_t count, double support,
+                         std::span<const std::uint8_t> listed) {
   CellGrid<D> grid;
-  grid.build(places, support);
+  grid.build(places.x, support);
   PairList pairs;
-  pairs.build<D>(grid, places, particles.count(), support, Pairing::within_bodies, body);
+  pairs.build<D>(grid, places.x, count, support, Pairing::within_bodies, places.body, listed);
   return pairs;
 }
 
-template PairList reference_pairs<1>(const Particles&, Mirror<1>&, double);
-template PairList reference_pairs<2>(const Particles&, Mirror<2>&, double);
-template PairList reference_pairs<3>(const Particles&, Mirror<3>&, double);
+template struct ReferencePlaces<1>;
+template struct ReferencePlaces<2>;
+template struct ReferencePlaces<3>;
+template PairList reference_pairs<1>(const ReferencePlaces<1>&, std::size_t, double, std::span<const std::uint8_t>);
+template PairList reference_pairs<2>(const ReferencePlaces<2>&, std::size_t, double, std::span<const std::uint8_t>);
+template PairList reference_pairs<3>(const ReferencePlaces<3>&, std::size_t, double, std::span<const std::uint8_t>);
 
 }  // namespace tektite

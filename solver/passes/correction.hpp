@@ -35,15 +35,22 @@ template <int D>
 [[gnu::always_inline]] inline Correction<Pack, D> broadcast(const Correction<double, D>& c) {
   return {broadcast(c.matrix), broadcast(c.shift)};
 }
-template <class Record, class Owner, int D>
-[[gnu::always_inline]] inline Correction<Pack, D> gathered(const Record* records, const std::uint32_t* j,
+template <class Records, class Index, class Owner, int D>
+[[gnu::always_inline]] inline Correction<Pack, D> gathered(const Records& records, Index j,
                                                            Correction<double, D> Owner::*member) {
   Correction<Pack, D> result;
   for (int k = 0; k < D * D; ++k)
-    result.matrix.c[k] = gathered_by(records, j, [=](const Record& r) { return (r.*member).matrix.c[k]; });
+    result.matrix.c[k] =
+        gathered_by(records, j, [=](const Owner& r) -> const double& { return (r.*member).matrix.c[k]; });
   for (int k = 0; k < D; ++k)
-    result.shift[k] = gathered_by(records, j, [=](const Record& r) { return (r.*member).shift[k]; });
+    result.shift[k] = gathered_by(records, j, [=](const Owner& r) -> const double& { return (r.*member).shift[k]; });
   return result;
 }
+
+/// Stands for a correction where there is none.
+template <int D>
+struct PlainGradient {
+  const Vector<Pack, D>& gradient(const Vector<Pack, D>& plain, const Pack&) const { return plain; }
+};
 
 }  // namespace tektite

@@ -26,37 +26,49 @@ template <std::size_t count>
   for (std::size_t k = 0; k < count; ++k) to[k] = from[k];
 }
 
-/// number(record) of the four neighbours in j.
+/// number(record), a reference to one, of the four neighbours in j.
 template <class Record, class Number>
 [[gnu::always_inline]] inline Pack gathered_by(const Record* records, const std::uint32_t* j, const Number& number) {
   return Pack([&](auto lane) { return number(records[j[static_cast<std::size_t>(lane)]]); });
 }
 
-/// A member of the four neighbours in j, for each component.
-template <class Record, class Owner>
-[[gnu::always_inline]] inline Pack gathered(const Record* records, const std::uint32_t* j, double Owner::*member) {
-  return gathered_by(records, j, [member](const Record& r) { return r.*member; });
+/// A member of the four neighbours in j, for each component. Records are a pointer to them and j four indices; or
+/// transposed ones and a cell (passes/transposed.hpp).
+template <class Records, class Index, class Owner>
+[[gnu::always_inline]] inline Pack gathered(const Records& records, Index j, double Owner::*member) {
+  return gathered_by(records, j, [=](const Owner& r) -> const double& { return r.*member; });
 }
-template <class Record, class Owner, int D>
-[[gnu::always_inline]] inline Vector<Pack, D> gathered(const Record* records, const std::uint32_t* j,
+template <class Records, class Index, class Owner, int D>
+[[gnu::always_inline]] inline Vector<Pack, D> gathered(const Records& records, Index j,
                                                        Vector<double, D> Owner::*member) {
   Vector<Pack, D> result;
-  for (int k = 0; k < D; ++k) result[k] = gathered_by(records, j, [=](const Record& r) { return (r.*member)[k]; });
+  for (int k = 0; k < D; ++k)
+    result[k] = gathered_by(records, j, [=](const Owner& r) -> const double& { return (r.*member)[k]; });
   return result;
 }
-template <class Record, class Owner, int D>
-[[gnu::always_inline]] inline Tensor<Pack, D> gathered(const Record* records, const std::uint32_t* j,
+template <class Records, class Index, class Owner, int D>
+[[gnu::always_inline]] inline Tensor<Pack, D> gathered(const Records& records, Index j,
                                                        Tensor<double, D> Owner::*member) {
   Tensor<Pack, D> result;
   for (int k = 0; k < D * D; ++k)
-    result.c[k] = gathered_by(records, j, [=](const Record& r) { return (r.*member).c[k]; });
+    result.c[k] = gathered_by(records, j, [=](const Owner& r) -> const double& { return (r.*member).c[k]; });
   return result;
 }
-template <class Record, class Owner, std::size_t count>
-[[gnu::always_inline]] inline void gather_into(Pack (&to)[count], const Record* records, const std::uint32_t* j,
+template <class Records, class Index, class Owner, std::size_t count>
+[[gnu::always_inline]] inline void gather_into(Pack (&to)[count], const Records& records, Index j,
                                                double (Owner::*member)[count]) {
   for (std::size_t k = 0; k < count; ++k)
-    to[k] = gathered_by(records, j, [=](const Record& r) { return (r.*member)[k]; });
+    to[k] = gathered_by(records, j, [=](const Owner& r) -> const double& { return (r.*member)[k]; });
+}
+
+/// A member of the particle itself, in every lane.
+template <class Record, class Owner>
+[[gnu::always_inline]] inline Pack own(const Record* records, std::size_t i, double Owner::*member) {
+  return records[i].*member;
+}
+template <class Record, class Owner, class Member>
+[[gnu::always_inline]] inline auto own(const Record* records, std::size_t i, Member Owner::*member) {
+  return broadcast(records[i].*member);
 }
 
 /// The first `numbers` numbers of four records, turned: out[k] holds the k-th of each.

@@ -12,8 +12,8 @@ struct ReferenceRecord {
   Vector<double, D> x;  ///< X, m
   double volume;        ///< V_0
   double smoothing_length;
-  double lagrangian;  ///< 1 where its kernel is of the reference configuration, 0 where it is Eulerian
-  Correction<double, D> correction;
+  double lagrangian;                 ///< 1 where its kernel is of the reference configuration, 0 where it is Eulerian
+  Correction<double, D> correction;  ///< stands last
 
   void mirror(int axis, double at) {
     x[axis] = 2.0 * at - x[axis];

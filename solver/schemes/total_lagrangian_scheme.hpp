@@ -15,6 +15,7 @@
 #include "schemes/converter.hpp"
 #include "schemes/eulerian_part.hpp"
 #include "schemes/hold_still.hpp"
+#include "schemes/lattice_bodies.hpp"
 #include "schemes/make_scheme_in.hpp"
 #include "schemes/material_passes.hpp"
 #include "schemes/mixed_correction.hpp"
@@ -100,9 +101,10 @@ class TotalLagrangianScheme final : public Scheme {
   }
 
   std::size_t memory() const override {
-    return pairs_.memory() + (contact_ ? contact_->memory() : 0) + (eulerian_ ? eulerian_->memory() : 0) +
-           reference_.capacity() * sizeof(ReferenceRecord<D>) + motion_.capacity() * sizeof(MotionRecord<D>) +
-           stress_.capacity() * sizeof(StressRecord<D>) + 2 * deformation_.capacity() * sizeof(Tensor<double, D>);
+    return pairs_.memory() + lattices_.memory() + (contact_ ? contact_->memory() : 0) +
+           (eulerian_ ? eulerian_->memory() : 0) + reference_.capacity() * sizeof(ReferenceRecord<D>) +
+           motion_.capacity() * sizeof(MotionRecord<D>) + stress_.capacity() * sizeof(StressRecord<D>) +
+           2 * deformation_.capacity() * sizeof(Tensor<double, D>);
   }
 
  private:
@@ -114,7 +116,8 @@ class TotalLagrangianScheme final : public Scheme {
                              Field::half_deviatoric_stress})
       particles_.allocate(field);
     materials_.allocate_scratch();
-    pairs_ = reference_pairs<D>(particles_, mirror_, support());
+    const ReferencePlaces<D> places(particles_, mirror_, support());
+    lattices_.find(particles_, places.x, places.body, support(), settings_.corrected);
     const auto count = particles_.count(), all = count + mirror_.images();
     reference_.resize(all);
     motion_.resize(all);
@@ -129,8 +132,17 @@ class TotalLagrangianScheme final : public Scheme {
       r.correction = Correction<double, D>::none();
     }
     note_kernel_types();
+    if (settings_.corrected || eulerian_) pairs_ = reference_pairs<D>(places, count, support());
     if (settings_.corrected) uncorrected_ = MixedCorrection<Kernel, D>().find(pairs_, mirror_, reference_, count);
-    if (eulerian_) drop_pairs();
+    lattices_.fill(reference_);
+    if (eulerian_) {
+      drop_pairs();
+    } else if (lattices_.any()) {
+      pairs_ = reference_pairs<D>(places, count, support(), lattices_.lists());
+      pairs_.drop_runs(lattices_.lists());
+    } else if (!settings_.corrected) {
+      pairs_ = reference_pairs<D>(places, count, support());
+    }
   }
 
   /// Copies who is Eulerian into the records.
@@ -144,10 +156,30 @@ class TotalLagrangianScheme final : public Scheme {
 
   /// Drops the reference neighbours of Eulerian particles that have no total-Lagrangian one among them any more.
   void drop_pairs() {
-    pairs_.keep([this](std::size_t i, std::span<const std::uint32_t> neighbours) {
+    const auto count = particles_.count();
+    std::vector<std::uint8_t> kept(count);
+    pairs_.keep([&](std::size_t i, std::span<const std::uint32_t> neighbours) {
       const auto lagrangian = [this](std::size_t j) { return reference_[j].lagrangian != 0.0; };
-      return lagrangian(i) || std::ranges::any_of(neighbours, lagrangian);
+      return kept[i] = lagrangian(i) || std::ranges::any_of(neighbours, lagrangian);
     });
+    if (!lattices_.any()) return;
+    lattices_.visit([&](std::size_t i) { return i < count && kept[i]; });
+    off_lattice_ = pairs_;
+    off_lattice_.keep([&](std::size_t i, std::span<const std::uint32_t>) { return lattices_.lists()[i] != 0; });
+    off_lattice_.drop_runs(lattices_.lists());
+  }
+
+  /// Runs the pass that make.operator()<corrected>(records) gives over all pairs of the reference configuration.
+  template <class Make>
+  void sweep(const Make& make) const {
+    settings_.corrected ? sweep_as<true>(make) : sweep_as<false>(make);
+  }
+  template <bool corrected, class Make>
+  void sweep_as(const Make& make) const {
+    const auto pass = [&](const auto& records) { return make.template operator()<corrected>(records); };
+    for_each_pair(eulerian_ && lattices_.any() ? off_lattice_ : pairs_,
+                  pass(ListedRecords<D>{reference_.data(), motion_.data(), stress_.data()}));
+    lattices_.for_each_pair(pass, particles_.count());
   }
 
   void convert() {
@@ -169,23 +201,33 @@ class TotalLagrangianScheme final : public Scheme {
                                    p.template vectors<D>(Field::acceleration), half_step, motion_.data()});
       });
       mirror_.fill(motion_, p.count());
+      lattices_.fill(motion_);
       leave_failed_out();
     }
     {
       const auto scope = profile_.time("deformation");
-      for_each_pair(pairs_,
-                    DeformationSums<Kernel, D>{reference_.data(), motion_.data(), deformation_.data(), rate_.data()});
+      sweep([this]<bool corrected, class Records>(const Records& records) {
+        return DeformationSums<Kernel, D, corrected, Records>{{records}, deformation_.data(), rate_.data()};
+      });
     }
     {
       const auto scope = profile_.time("stress");
       materials_.for_each_run([&](const auto& run) { evaluate_stress(run, half_step); });
       mirror_.fill(stress_, p.count());
+      lattices_.fill(stress_);
     }
     const auto scope = profile_.time("forces");
-    for_each_pair(pairs_, LagrangianForces<Kernel, MonaghanViscosity, D>{
-                              reference_.data(), motion_.data(), stress_.data(), viscosity_, p.scalars(Field::mass),
-                              p.template vectors<D>(Field::acceleration), p.scalars(Field::viscous_power),
-                              p.scalars(Field::viscous_signal)});
+    sweep([this, &p]<bool corrected, class Records>(const Records& records) {
+      return LagrangianForces<Kernel, MonaghanViscosity, D, corrected, Records>{
+          {records},
+          viscosity_,
+          reference_.data(),
+          stress_.data(),
+          p.scalars(Field::mass),
+          p.template vectors<D>(Field::acceleration),
+          p.scalars(Field::viscous_power),
+          p.scalars(Field::viscous_signal)};
+    });
     if (eulerian_) {
       add_interface_stress();
       eulerian_->evaluate(motion_);
@@ -224,10 +266,14 @@ class TotalLagrangianScheme final : public Scheme {
   void leave_failed_out() {
     if (!particles_.has(Field::damage) || settings_.conversion.by == Conversion::By::damage) return;
     const double* damage = particles_.scalars(Field::damage);
-    for_each(particles_.count(), [&](std::size_t i) {
-      if (damage[i] >= 1.0 && reference_[i].lagrangian != 0.0) reference_[i].volume = 0.0;
-    });
+    const auto leave = [&](bool& any, std::size_t i) {
+      if (!(damage[i] >= 1.0) || reference_[i].lagrangian == 0.0 || reference_[i].volume == 0.0) return;
+      reference_[i].volume = 0.0;
+      any = true;
+    };
+    if (!reduce(particles_.count(), false, leave, [](bool& whole, bool part) { whole = whole || part; })) return;
     mirror_.fill(reference_, particles_.count());
+    lattices_.fill(reference_);
   }
 
   using Run = typename MaterialPasses<D, false>::Run;
@@ -276,7 +322,9 @@ class TotalLagrangianScheme final : public Scheme {
   MaterialPasses<D, false> materials_;
   Mirror<D> mirror_;
   std::optional<KernelContact<D, Kernel>> contact_;
-  PairList pairs_;
+  LatticeBodies<Kernel, D> lattices_;
+  PairList pairs_;        ///< of all particles for the scheme adaptle, otherwise of those on no lattice
+  PairList off_lattice_;  ///< of those on no lattice for the scheme adaptle
   std::size_t uncorrected_ = 0;
   std::vector<ReferenceRecord<D>> reference_;
   std::vector<MotionRecord<D>> motion_;

@@ -66,43 +66,29 @@ Symmetric<double, D> rotated(const Symmetric<double, D>& s, const Tensor<double,
 }
 
 /// Plastic strain of a step whose elastic trial has the equivalent stress `trial` above the flow stress: solves
-/// trial - 3 G Δε = Y(ε_p + Δε, Δε/dt, T). The left side falls and the right side does not, so the root is unique; a
-/// bracketed secant (Illinois) finds it to 1e-12 of the trial stress.
+/// trial - 3 G Δε = Y(ε_p + Δε, Δε/dt, T) to 1e-12 of the trial stress; `yield` is Y where nothing flows. The left side
+/// falls and the right side does not, so the root is unique. Newton in ln Δε, in which a flow stress that grows with
+/// the logarithm of the rate is a straight line, within a bracket that it must not leave.
 template <class Model>
-double plastic_increment(const Model& model, double trial, const FlowState& before, double dt) {
+double plastic_increment(const Model& model, double trial, double yield, const FlowState& before, double dt) {
   const double stiffness = 3.0 * model.shear_modulus;
-  if constexpr (!Model::kind.hardens) {
-    return (trial - model.flow_stress(before)) / stiffness;
-  } else {
-    const auto excess = [&](double increment) {
+  double increment = (trial - yield) / stiffness;
+  if constexpr (Model::kind.hardens) {
+    constexpr int most = 60;
+    constexpr double farthest = 5.0;  // steps of ln Δε
+    double low = 0.0, high = increment;
+    for (int k = 0; k < most; ++k) {
       const FlowState after{before.plastic_strain + increment, increment / dt, before.temperature, before.pressure,
                             before.damage};
-      return trial - stiffness * increment - model.flow_stress(after);
-    };
-    double low = 0.0, high = trial / stiffness;
-    double above = excess(low), below = excess(high);
-    if (above <= 0.0) return 0.0;
-    constexpr int most = 60;
-    double root = high;
-    int side = 0;
-    for (int k = 0; k < most && below < 0.0; ++k) {
-      root = (low * below - high * above) / (below - above);
-      const double value = excess(root);
-      if (std::abs(value) <= 1e-12 * trial) break;
-      if (value > 0.0) {
-        low = root;
-        above = value;
-        if (side > 0) below *= 0.5;
-        side = 1;
-      } else {
-        high = root;
-        below = value;
-        if (side < 0) above *= 0.5;
-        side = -1;
-      }
+      const double excess = trial - stiffness * increment - model.flow_stress(after);
+      if (std::abs(excess) <= 1e-12 * trial) break;
+      (excess > 0.0 ? low : high) = increment;
+      const double slope = (stiffness + model.flow_slope(after, dt)) * increment;
+      increment *= std::exp(std::clamp(excess / slope, -farthest, farthest));
+      if (!(increment > low && increment < high)) increment = low > 0.0 ? std::sqrt(low * high) : 0.1 * high;
     }
-    return root;
   }
+  return increment;
 }
 
 /// Brings s, plastic strain, plastic work and temperature from t to t + dt under the velocity gradient L of the middle
@@ -117,8 +103,9 @@ void advance_deviator(const Model& model, const Tensor<double, D>& l, double acr
     if constexpr (Model::kind.yields) {
       const double equivalent = von_mises(trial);
       const FlowState flow{state.plastic_strain, 0.0, state.temperature, state.pressure, state.damage};
-      if (equivalent > model.flow_stress(flow)) {
-        const double increment = plastic_increment(model, equivalent, flow, dt);
+      const double yield = model.flow_stress(flow);
+      if (equivalent > yield) {
+        const double increment = plastic_increment(model, equivalent, yield, flow, dt);
         // Molten material: the root's rounding must not turn a strength of zero into one below.
         const double strength = std::max(0.0, equivalent - 3.0 * model.shear_modulus * increment);
         trial = (strength / equivalent) * trial;

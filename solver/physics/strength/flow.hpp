@@ -4,10 +4,11 @@ namespace tektite {
 
 /// What a strength model does; decides which fields a material needs and which branches its formulas have.
 struct StrengthKind {
-  bool shears;           ///< carries deviatoric stress
-  bool yields;           ///< has a flow stress
-  bool hardens;          ///< its flow stress depends on the plastic strain or its rate
-  bool heats;            ///< has a temperature that plastic work raises
+  bool shears;   ///< carries deviatoric stress
+  bool yields;   ///< has a flow stress
+  bool hardens;  ///< its flow stress depends on the plastic strain or its rate; it has a flow_slope(state, step),
+                 ///< dY/dΔε where the strain grows by Δε within the step and the rate is Δε/step
+  bool heats;    ///< has a temperature that plastic work raises
   bool crushes = false;  ///< its flow stress depends on pressure and damage, and tells what failed material bears
 };
 

@@ -24,6 +24,7 @@ struct IsotropicHardening {
                      "plastic modulus E_p"}};
   }
   double flow_stress(const FlowState& state) const { return yield_stress + plastic_modulus * state.plastic_strain; }
+  double flow_slope(const FlowState&, double) const { return plastic_modulus; }
 };
 
 }  // namespace tektite

@@ -44,13 +44,23 @@ struct JohnsonCook {
                      "part χ of the plastic work that heats", 0.9}};
   }
 
-  double flow_stress(const FlowState& state) const {
-    const double hardening = a + b * std::pow(state.plastic_strain, n);
+  double flow_stress(const FlowState& state) const { return hardening(state) * rating(state) * softening(state); }
+  double flow_slope(const FlowState& state, double step) const {
+    const double strain = state.plastic_strain;
+    double slope = strain > 0.0 ? b * n * std::pow(strain, n) / strain * rating(state) : 0.0;
+    if (state.plastic_strain_rate > reference_rate) slope += hardening(state) * c / (state.plastic_strain_rate * step);
+    return slope * softening(state);
+  }
+
+ private:
+  double hardening(const FlowState& state) const { return a + b * std::pow(state.plastic_strain, n); }
+  double rating(const FlowState& state) const {
     const double rate = state.plastic_strain_rate / reference_rate;
-    const double rating = rate > 1.0 ? 1.0 + c * std::log(rate) : 1.0;
+    return rate > 1.0 ? 1.0 + c * std::log(rate) : 1.0;
+  }
+  double softening(const FlowState& state) const {
     const double warmth = (state.temperature - room_temperature) / (melting_temperature - room_temperature);
-    const double softening = warmth <= 0.0 ? 1.0 : warmth >= 1.0 ? 0.0 : 1.0 - std::pow(warmth, m);
-    return hardening * rating * softening;
+    return warmth <= 0.0 ? 1.0 : warmth >= 1.0 ? 0.0 : 1.0 - std::pow(warmth, m);
   }
 };
 

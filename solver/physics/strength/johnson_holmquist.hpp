@@ -47,12 +47,18 @@ struct JohnsonHolmquist {
 
   double flow_stress(const FlowState& state) const {
     const double rate = state.plastic_strain_rate / reference_rate;
-    const double strength = state.damage < 1.0 ? intact_strength(state.pressure)
-                                               : std::clamp(failed_slope * state.pressure, 0.0, failed_strength);
-    return strength * (rate > 1.0 ? 1.0 + c * std::log(rate) : 1.0);
+    return strength(state) * (rate > 1.0 ? 1.0 + c * std::log(rate) : 1.0);
+  }
+  double flow_slope(const FlowState& state, double step) const {
+    if (!(state.plastic_strain_rate > reference_rate)) return 0.0;
+    return strength(state) * c / (state.plastic_strain_rate * step);
   }
 
  private:
+  double strength(const FlowState& state) const {
+    return state.damage < 1.0 ? intact_strength(state.pressure)
+                              : std::clamp(failed_slope * state.pressure, 0.0, failed_strength);
+  }
   double intact_strength(double p) const {
     if (p <= tensile_limit) return 0.0;
     if (p < p1) return s1 * (p - tensile_limit) / (p1 - tensile_limit);

@@ -48,8 +48,9 @@ Tensor<double, D> transposed_product(const Tensor<double, D>& a) {
 template <int D>
 class Reference {
  public:
-  Reference() : particles_(disordered_block<D>()), mirror_({}), pairs_(reference_pairs<D>(particles_, mirror_, 2.8)) {
+  Reference() : particles_(disordered_block<D>()), mirror_({}) {
     const auto count = particles_.count();
+    pairs_ = reference_pairs(ReferencePlaces<D>(particles_, mirror_, 2.8), count, 2.8);
     records_.resize(count);
     for (std::size_t i = 0; i < count; ++i)
       records_[i] = {particles_.vectors<D>(Field::reference_position)[i], 1.0, 1.4, 1.0, Correction<double, D>::none()};
@@ -63,8 +64,8 @@ class Reference {
     std::vector<MotionRecord<D>> motion(count);
     std::vector<Tensor<double, D>> deformation(count), rate(count);
     for (std::size_t i = 0; i < count; ++i) motion[i] = {times(a, records_[i].x), times(b, records_[i].x)};
-    for_each_pair(pairs_,
-                  DeformationSums<CubicSpline, D>{records_.data(), motion.data(), deformation.data(), rate.data()});
+    for_each_pair(pairs_, DeformationSums<CubicSpline, D, true, ListedRecords<D>>{
+                              {{records_.data(), motion.data(), nullptr}}, deformation.data(), rate.data()});
     for (std::size_t i = 0; i < count; ++i) body(deformation[i], rate[i]);
   }
 

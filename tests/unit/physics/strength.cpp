@@ -64,13 +64,35 @@ TEST_CASE("Strengths: what flows plastically lies on the yield surface", "[stren
         const auto trial =
             rotated(before.stress, l, dt) + (2.0 * model.shear_modulus * dt) * deviator(symmetric_part(l));
         const FlowState flow{before.plastic_strain, 0.0, before.temperature};
-        const double increment = plastic_increment(model, von_mises(trial), flow, dt);
+        const double increment = plastic_increment(model, von_mises(trial), model.flow_stress(flow), flow, dt);
         REQUIRE(after.plastic_strain == Approx(before.plastic_strain + increment).epsilon(1e-14));
         const double strength = model.flow_stress({flow.plastic_strain + increment, increment / dt, flow.temperature});
         const double left = von_mises(trial) - 3.0 * model.shear_modulus * increment - strength;
         REQUIRE(std::abs(left) <= 2e-12 * von_mises(trial));  // it is searched to half of that
       });
       CHECK(flowing > 100);
+    }
+  });
+}
+
+TEST_CASE("Strengths: the flow slope is the derivative of the flow stress along a step", "[strength]") {
+  for_each_sample<Strength>([](const auto& model) {
+    using Model = std::decay_t<decltype(model)>;
+    if constexpr (Model::kind.hardens) {
+      test::Random random(5);
+      for (int repeat = 0; repeat < 200; ++repeat) {
+        const FlowState before{random.between(0.0, 0.5), 0.0, random.between(280.0, 700.0), random.between(-1e9, 1e10),
+                               random.between(0.0, 1.0)};
+        const auto after = [&](double increment) {
+          return FlowState{before.plastic_strain + increment, increment / dt, before.temperature, before.pressure,
+                           before.damage};
+        };
+        const double increment = random.magnitude(1e-6, 0.1), change = 1e-5 * increment;
+        const double difference =
+            model.flow_stress(after(increment + change)) - model.flow_stress(after(increment - change));
+        REQUIRE(model.flow_slope(after(increment), dt) ==
+                Approx(difference / (2.0 * change)).epsilon(1e-5).margin(1e-6 * model.shear_modulus));
+      }
     }
   });
 }
