@@ -5,6 +5,7 @@
 
 #include <bit>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <experimental/simd>
 
@@ -12,6 +13,14 @@ namespace tektite {
 
 inline constexpr std::size_t pack_width = 4;
 using Pack = std::experimental::simd<double, std::experimental::simd_abi::deduce_t<double, pack_width>>;
+
+/// Several particles at once, each in a lane of its own: no sum runs over the lanes, so the width changes no bit.
+#ifdef __AVX512F__
+inline constexpr std::size_t wide_pack_width = 8;
+#else
+inline constexpr std::size_t wide_pack_width = pack_width;
+#endif
+using WidePack = std::experimental::simd<double, std::experimental::simd_abi::deduce_t<double, wide_pack_width>>;
 
 // Always inlined: a call inside a loop over pairs would put every register into memory.
 [[gnu::always_inline]] inline double select(bool condition, double yes, double no) { return condition ? yes : no; }
@@ -23,6 +32,23 @@ using Pack = std::experimental::simd<double, std::experimental::simd_abi::deduce
 [[gnu::always_inline]] inline Pack larger(const Pack& a, const Pack& b) { return std::experimental::max(a, b); }
 [[gnu::always_inline]] inline double smaller(double a, double b) { return a < b ? a : b; }
 [[gnu::always_inline]] inline Pack smaller(const Pack& a, const Pack& b) { return std::experimental::min(a, b); }
+
+// The same where a WidePack is no Pack.
+template <class T>
+concept OnlyWide = std::same_as<T, WidePack> && !std::same_as<T, Pack>;
+template <OnlyWide T>
+[[gnu::always_inline]] inline T select(const typename T::mask_type& condition, const T& yes, T no) {
+  where(condition, no) = yes;
+  return no;
+}
+template <OnlyWide T>
+[[gnu::always_inline]] inline T larger(const T& a, const T& b) {
+  return std::experimental::max(a, b);
+}
+template <OnlyWide T>
+[[gnu::always_inline]] inline T smaller(const T& a, const T& b) {
+  return std::experimental::min(a, b);
+}
 
 /// Reads `rows` times four numbers from each of four places and turns them: out[k] holds the k-th number of each place.
 /// Whole rows are loaded and turned in registers, which takes half the instructions of reading number by number.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace tektite {
 namespace {
@@ -56,24 +57,27 @@ std::optional<Lattice<D>> Lattice<D>::find(std::span<const Vector<double, D>> pl
   if constexpr (D == 3) std::swap(axes[1], axes[2]);
 
   const auto margin = static_cast<std::ptrdiff_t>(support / spacing);
-  Point<D> stride;
-  std::ptrdiff_t cells = 1, reach = 0;
-  double size = 1.0;
-  for (const auto axis : axes) {
-    size *= static_cast<double>(extent[axis] + margin);
-    if (size * least_filling > static_cast<double>(members.size()) + 1e3) return std::nullopt;
-    stride[axis] = cells;
-    reach += margin * cells;
-    cells *= extent[axis] + margin;
+  const auto pitch = extent[axes[0]] + 2 * margin + static_cast<std::ptrdiff_t>(wide_pack_width);
+  Point<D> stride{};  // in rows
+  std::ptrdiff_t rows = 1, reach = 0;
+  double cells = static_cast<double>(pitch);
+  for (std::size_t k = 1; k < D; ++k) {
+    const auto axis = axes[k];
+    cells *= static_cast<double>(extent[axis] + margin);
+    if (cells * least_filling > static_cast<double>(members.size()) + 1e3) return std::nullopt;
+    stride[axis] = rows;
+    reach += margin * rows;
+    rows *= extent[axis] + margin;
   }
 
   Lattice lattice;
-  const auto packs = static_cast<std::size_t>(cells + 2 * reach) / pack_width + 2;
-  lattice.records_.assign(packs * pack_width, nobody);
+  lattice.pitch_ = static_cast<std::size_t>(pitch);
+  lattice.records_.assign(static_cast<std::size_t>((rows + 2 * reach) * pitch), nobody);
   for (std::size_t n = 0; n < points->size(); ++n) {
-    std::ptrdiff_t cell = reach;
-    for (std::size_t k = 0; k < D; ++k) cell += ((*points)[n][k] - low[k]) * stride[k];
-    auto& record = lattice.records_[static_cast<std::size_t>(cell)];
+    std::ptrdiff_t row = reach;
+    for (std::size_t k = 0; k < D; ++k) row += ((*points)[n][k] - low[k]) * stride[k];
+    const auto column = margin + (*points)[n][axes[0]] - low[axes[0]];
+    auto& record = lattice.records_[static_cast<std::size_t>(row * pitch + column)];
     if (record != nobody) return std::nullopt;
     record = members[n];
   }
@@ -81,18 +85,21 @@ std::optional<Lattice<D>> Lattice<D>::find(std::span<const Vector<double, D>> pl
   Point<D> step;
   step.fill(-margin);
   for (;;) {
-    Neighbour neighbour{0, Vector<double, D>::zero()};
+    Neighbour neighbour{0, step[axes[0]], Vector<double, D>::zero()};
     for (std::size_t k = 0; k < D; ++k) {
-      neighbour.offset += step[k] * stride[k];
+      neighbour.rows += step[k] * stride[k];
       neighbour.x[static_cast<int>(k)] = -spacing * static_cast<double>(step[k]);
     }
-    if (neighbour.offset != 0 && norm(neighbour.x) < support) lattice.neighbours_.push_back(neighbour);
+    const double away = norm(neighbour.x);
+    if (away > 0.0 && away < support) lattice.neighbours_.push_back(neighbour);
     std::size_t k = 0;
     while (k < D && step[k] == margin) step[k++] = -margin;
     if (k == D) break;
     ++step[k];
   }
-  std::ranges::sort(lattice.neighbours_, {}, &Neighbour::offset);
+  std::ranges::sort(lattice.neighbours_, [](const Neighbour& a, const Neighbour& b) {
+    return std::pair(a.rows, a.columns) < std::pair(b.rows, b.columns);
+  });
   return lattice;
 }
 

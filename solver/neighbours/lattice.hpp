@@ -14,17 +14,26 @@
 
 namespace tektite {
 
-/// A box of cells, of which each holds a record or nobody. Cells are numbered row by row; between rows there are as
-/// many empty cells as a neighbour can be away, so that the offset of a neighbour never leads to a particle of another
-/// row.
+/// Where a cell lies: its row, and its place in the row.
+struct LatticeCell {
+  std::size_t row, column;
+};
+
+/// A box of rows of cells, of which each holds a record or nobody. Each row, and the box, has as many empty cells on
+/// every side as a neighbour can be away, so that the way to a neighbour never leads to another particle or out of the
+/// box; and wide_pack_width more at a row's end, so that a pack never does.
 template <int D>
 class Lattice {
  public:
   static constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
 
   struct Neighbour {
-    std::ptrdiff_t offset;  ///< of its cell from the particle's
-    Vector<double, D> x;    ///< X_a - X_b, m
+    std::ptrdiff_t rows, columns;  ///< from the particle's cell to its own
+    Vector<double, D> x;           ///< X_a - X_b, m
+
+    LatticeCell from(const LatticeCell& cell) const {
+      return {cell.row + static_cast<std::size_t>(rows), cell.column + static_cast<std::size_t>(columns)};
+    }
   };
 
   /// The lattice of the records `members` at these places, with neighbours nearer than `support`. None where they do
@@ -32,30 +41,34 @@ class Lattice {
   static std::optional<Lattice> find(std::span<const Vector<double, D>> places, std::span<const std::uint32_t> members,
                                      double spacing, double support);
 
-  /// The record in each cell.
+  /// The record in each cell, row by row.
   std::span<const std::uint32_t> records() const { return records_; }
+  /// Cells in a row.
+  std::size_t pitch() const { return pitch_; }
+  std::size_t rows() const { return records_.size() / pitch_; }
   std::span<const Neighbour> neighbours() const { return neighbours_; }
 
-  /// First cells of the packs of pack_width cells that have to be visited.
+  /// First cells of the packs of wide_pack_width cells that have to be visited, counted row by row.
   std::span<const std::uint32_t> packs() const { return packs_; }
 
   /// Visits only packs with a record of which wanted(record) says yes.
   template <class Wanted>
   void visit(const Wanted& wanted) {
     packs_.clear();
-    for (std::size_t cell = 0; cell + pack_width <= records_.size();) {
+    for (std::size_t cell = 0; cell < records_.size();) {
       if (records_[cell] == nobody || !wanted(records_[cell])) {
         ++cell;
         continue;
       }
       packs_.push_back(static_cast<std::uint32_t>(cell));
-      cell += pack_width;
+      cell += wide_pack_width;
     }
   }
 
   std::size_t memory() const { return sizeof(std::uint32_t) * (records_.capacity() + packs_.capacity()); }
 
  private:
+  std::size_t pitch_ = 0;
   std::vector<std::uint32_t> records_;
   std::vector<Neighbour> neighbours_;
   std::vector<std::uint32_t> packs_;

@@ -1,6 +1,6 @@
 #pragma once
-// The loop over pairs of a lattice: pack_width particles side by side collect from the neighbours at one offset after
-// the other.
+// The loop over pairs of a lattice: wide_pack_width particles side by side collect from the neighbours at one offset
+// after the other.
 
 #include <algorithm>
 #include <cstddef>
@@ -16,13 +16,13 @@ template <int D, class Pair, class Pass>
 [[gnu::flatten]] void gather_packs(const Lattice<D>& lattice, std::span<const std::uint32_t> packs,
                                    std::span<const Pair> pairs, const Pass& pass, std::size_t count) {
   const auto neighbours = lattice.neighbours();
-  for (const std::size_t cell : packs) {
+  for (const std::size_t first : packs) {
+    const LatticeCell cell{first / lattice.pitch(), first % lattice.pitch()};
     const auto self = pass.begin(cell);
     typename Pass::Sums sums;
-    for (std::size_t n = 0; n < neighbours.size(); ++n)
-      pass.add(self, pairs[n], cell + static_cast<std::size_t>(neighbours[n].offset), sums);
-    for (std::size_t lane = 0; lane < pack_width; ++lane)
-      if (const auto i = lattice.records()[cell + lane]; i < count) pass.end(i, sums, lane);
+    for (std::size_t n = 0; n < neighbours.size(); ++n) pass.add(self, pairs[n], neighbours[n].from(cell), sums);
+    for (std::size_t lane = 0; lane < wide_pack_width; ++lane)
+      if (const auto i = lattice.records()[first + lane]; i < count) pass.end(i, sums, lane);
   }
 }
 

@@ -36,9 +36,8 @@ template <int D>
   return {broadcast(c.matrix), broadcast(c.shift)};
 }
 template <class Records, class Index, class Owner, int D>
-[[gnu::always_inline]] inline Correction<Pack, D> gathered(const Records& records, Index j,
-                                                           Correction<double, D> Owner::*member) {
-  Correction<Pack, D> result;
+[[gnu::always_inline]] inline auto gathered(const Records& records, Index j, Correction<double, D> Owner::*member) {
+  Correction<typename NumberOf<Records>::Type, D> result;
   for (int k = 0; k < D * D; ++k)
     result.matrix.c[k] =
         gathered_by(records, j, [=](const Owner& r) -> const double& { return (r.*member).matrix.c[k]; });
@@ -48,9 +47,9 @@ template <class Records, class Index, class Owner, int D>
 }
 
 /// Stands for a correction where there is none.
-template <int D>
+template <class T, int D>
 struct PlainGradient {
-  const Vector<Pack, D>& gradient(const Vector<Pack, D>& plain, const Pack&) const { return plain; }
+  const Vector<T, D>& gradient(const Vector<T, D>& plain, const T&) const { return plain; }
 };
 
 }  // namespace tektite

@@ -9,9 +9,9 @@
 namespace tektite {
 
 /// The same number in every lane, for each component.
-template <int D>
-[[gnu::always_inline]] inline Vector<Pack, D> broadcast(const Vector<double, D>& v) {
-  Vector<Pack, D> result;
+template <class T = Pack, int D>
+[[gnu::always_inline]] inline Vector<T, D> broadcast(const Vector<double, D>& v) {
+  Vector<T, D> result;
   for (int k = 0; k < D; ++k) result[k] = v[k];
   return result;
 }
@@ -32,24 +32,28 @@ template <class Record, class Number>
   return Pack([&](auto lane) { return number(records[j[static_cast<std::size_t>(lane)]]); });
 }
 
+/// What a pass gets that reads such records: a Pack of neighbours, or a WidePack of transposed ones.
+template <class Records>
+struct NumberOf {
+  using Type = Pack;
+};
+
 /// A member of the four neighbours in j, for each component. Records are a pointer to them and j four indices; or
 /// transposed ones and a cell (passes/transposed.hpp).
 template <class Records, class Index, class Owner>
-[[gnu::always_inline]] inline Pack gathered(const Records& records, Index j, double Owner::*member) {
+[[gnu::always_inline]] inline auto gathered(const Records& records, Index j, double Owner::*member) {
   return gathered_by(records, j, [=](const Owner& r) -> const double& { return r.*member; });
 }
 template <class Records, class Index, class Owner, int D>
-[[gnu::always_inline]] inline Vector<Pack, D> gathered(const Records& records, Index j,
-                                                       Vector<double, D> Owner::*member) {
-  Vector<Pack, D> result;
+[[gnu::always_inline]] inline auto gathered(const Records& records, Index j, Vector<double, D> Owner::*member) {
+  Vector<typename NumberOf<Records>::Type, D> result;
   for (int k = 0; k < D; ++k)
     result[k] = gathered_by(records, j, [=](const Owner& r) -> const double& { return (r.*member)[k]; });
   return result;
 }
 template <class Records, class Index, class Owner, int D>
-[[gnu::always_inline]] inline Tensor<Pack, D> gathered(const Records& records, Index j,
-                                                       Tensor<double, D> Owner::*member) {
-  Tensor<Pack, D> result;
+[[gnu::always_inline]] inline auto gathered(const Records& records, Index j, Tensor<double, D> Owner::*member) {
+  Tensor<typename NumberOf<Records>::Type, D> result;
   for (int k = 0; k < D * D; ++k)
     result.c[k] = gathered_by(records, j, [=](const Owner& r) -> const double& { return (r.*member).c[k]; });
   return result;

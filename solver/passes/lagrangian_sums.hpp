@@ -22,6 +22,8 @@ struct ReferencePair {
 /// The records of particles with lists of neighbours ...
 template <int D>
 struct ListedRecords {
+  using Number = Pack;
+  using Own = std::size_t;
   using Index = const std::uint32_t*;
   const ReferenceRecord<D>* reference;
   const MotionRecord<D>* motion;
@@ -31,7 +33,9 @@ struct ListedRecords {
 /// ... and those of a lattice.
 template <int D>
 struct LatticeRecords {
-  using Index = std::size_t;
+  using Number = WidePack;
+  using Own = LatticeCell;
+  using Index = LatticeCell;
   Transposed<ReferenceRecord<D>> reference;
   Transposed<MotionRecord<D>> motion;
   Transposed<StressRecord<D>> stress;
@@ -45,24 +49,25 @@ struct OverLanes {
 /// ... or from one of them, where each is a particle.
 struct OneLane {
   std::size_t lane;
-  double sum(const Pack& a) const { return a[lane]; }
-  double largest(const Pack& a) const { return a[lane]; }
+  double sum(const WidePack& a) const { return a[lane]; }
+  double largest(const WidePack& a) const { return a[lane]; }
 };
 
 /// What both sums below do alike: pass.meet(self, pair, j, weight, sums) is the physics of a pair, `weight` being zero
 /// in lanes without a neighbour, and pass.leave(i, sums, lanes) writes.
 template <class Pass, class Kernel, int D, bool corrected, class Records>
 struct ReferenceSums {
+  using Number = typename Records::Number;
   Records records;
 
-  using CorrectionPack = std::conditional_t<corrected, Correction<Pack, D>, PlainGradient<D>>;
-  [[gnu::always_inline]] CorrectionPack correction_of(std::size_t i) const {
+  using OwnCorrection = std::conditional_t<corrected, Correction<Number, D>, PlainGradient<Number, D>>;
+  [[gnu::always_inline]] OwnCorrection correction_of(const typename Records::Own& i) const {
     if constexpr (corrected)
       return own(records.reference, i, &ReferenceRecord<D>::correction);
     else
       return {};
   }
-  [[gnu::always_inline]] CorrectionPack correction_at(typename Records::Index j) const {
+  [[gnu::always_inline]] OwnCorrection correction_at(const typename Records::Index& j) const {
     if constexpr (corrected)
       return gathered(records.reference, j, &ReferenceRecord<D>::correction);
     else
@@ -82,9 +87,10 @@ struct ReferenceSums {
   }
 
   template <class Self, class Sums>
-  [[gnu::always_inline]] void add(const Self& a, const ReferencePair<double, D>& pair, std::size_t cell,
+  [[gnu::always_inline]] void add(const Self& a, const ReferencePair<double, D>& pair, const LatticeCell& cell,
                                   Sums& sums) const {
-    pass().meet(a, {broadcast(pair.x), pair.h, pair.value, broadcast(pair.slope)}, cell, Pack(1.0), sums);
+    pass().meet(a, {broadcast<Number>(pair.x), pair.h, pair.value, broadcast<Number>(pair.slope)}, cell, Number(1.0),
+                sums);
   }
   template <class Sums>
   [[gnu::always_inline]] void end(std::size_t i, const Sums& sums, std::size_t lane) const {
@@ -101,29 +107,30 @@ struct DeformationSums : ReferenceSums<DeformationSums<Kernel, D, corrected, Rec
   Tensor<double, D>* deformation;  ///< F
   Tensor<double, D>* rate;         ///< dF/dt, 1/s
 
+  using Number = typename Records::Number;
   struct Self {
-    Vector<Pack, D> reference, x, v;
-    Pack h;
-    typename DeformationSums::CorrectionPack correction;
+    Vector<Number, D> reference, x, v;
+    Number h;
+    typename DeformationSums::OwnCorrection correction;
   };
   struct Sums {
-    Tensor<Pack, D> displacement = Tensor<Pack, D>::zero();
-    Tensor<Pack, D> rate = Tensor<Pack, D>::zero();
+    Tensor<Number, D> displacement = Tensor<Number, D>::zero();
+    Tensor<Number, D> rate = Tensor<Number, D>::zero();
   };
 
-  [[gnu::always_inline]] Self begin(std::size_t i) const {
+  [[gnu::always_inline]] Self begin(const typename Records::Own& i) const {
     const auto& [reference, motion, stress] = this->records;
     return {own(reference, i, &ReferenceRecord<D>::x), own(motion, i, &MotionRecord<D>::x),
             own(motion, i, &MotionRecord<D>::v), own(reference, i, &ReferenceRecord<D>::smoothing_length),
             this->correction_of(i)};
   }
 
-  [[gnu::always_inline]] void meet(const Self& a, const ReferencePair<Pack, D>& pair, typename Records::Index j,
-                                   const Pack& weight, Sums& sums) const {
+  [[gnu::always_inline]] void meet(const Self& a, const ReferencePair<Number, D>& pair, typename Records::Index j,
+                                   const Number& weight, Sums& sums) const {
     const auto& [reference, motion, stress] = this->records;
     const auto u = gathered(motion, j, &MotionRecord<D>::x) - a.x + pair.x;
     const auto v = gathered(motion, j, &MotionRecord<D>::v) - a.v;
-    const Pack volume = gathered(reference, j, &ReferenceRecord<D>::volume) * weight;
+    const Number volume = gathered(reference, j, &ReferenceRecord<D>::volume) * weight;
     const auto gradient = a.correction.gradient(pair.slope, pair.value);
     for (int r = 0; r < D; ++r)
       for (int c = 0; c < D; ++c) {
@@ -159,21 +166,22 @@ struct LagrangianForces
   double* viscous_power;   ///< W/kg
   double* viscous_signal;  ///< m/s
 
+  using Number = typename Records::Number;
   struct Self {
-    Vector<Pack, D> reference, x, v;
-    Tensor<Pack, D> cofactor;
-    Pack h, density, sound_speed;
-    typename LagrangianForces::CorrectionPack correction;
+    Vector<Number, D> reference, x, v;
+    Tensor<Number, D> cofactor;
+    Number h, density, sound_speed;
+    typename LagrangianForces::OwnCorrection correction;
   };
   struct Sums {
-    Vector<Pack, D> gradient = Vector<Pack, D>::zero();  ///< Σ V_b0 ∇̃_a0 W̃_ab, by which P_a acts
-    Vector<Pack, D> pull = Vector<Pack, D>::zero();
-    Vector<Pack, D> viscous = Vector<Pack, D>::zero();
-    Pack heat = 0.0;
-    Pack signal = 0.0;
+    Vector<Number, D> gradient = Vector<Number, D>::zero();  ///< Σ V_b0 ∇̃_a0 W̃_ab, by which P_a acts
+    Vector<Number, D> pull = Vector<Number, D>::zero();
+    Vector<Number, D> viscous = Vector<Number, D>::zero();
+    Number heat = 0.0;
+    Number signal = 0.0;
   };
 
-  [[gnu::always_inline]] Self begin(std::size_t i) const {
+  [[gnu::always_inline]] Self begin(const typename Records::Own& i) const {
     using Reference = ReferenceRecord<D>;
     using Stress = StressRecord<D>;
     const auto& r = this->records;
@@ -187,35 +195,35 @@ struct LagrangianForces
             this->correction_of(i)};
   }
 
-  [[gnu::always_inline]] void meet(const Self& a, const ReferencePair<Pack, D>& pair, typename Records::Index j,
-                                   const Pack& weight, Sums& sums) const {
+  [[gnu::always_inline]] void meet(const Self& a, const ReferencePair<Number, D>& pair, typename Records::Index j,
+                                   const Number& weight, Sums& sums) const {
     const auto& r = this->records;
     const auto x = a.x - gathered(r.motion, j, &MotionRecord<D>::x);
     const auto v = a.v - gathered(r.motion, j, &MotionRecord<D>::v);
-    const Pack volume = gathered(r.reference, j, &ReferenceRecord<D>::volume) * weight;
+    const Number volume = gathered(r.reference, j, &ReferenceRecord<D>::volume) * weight;
 
-    const auto here = a.correction.gradient(pair.slope, pair.value);                          // ∇̃_a0 W̃_ab
-    const auto there = this->correction_at(j).gradient(Pack(-1.0) * pair.slope, pair.value);  // ∇̃_b0 W̃_ba
+    const auto here = a.correction.gradient(pair.slope, pair.value);                            // ∇̃_a0 W̃_ab
+    const auto there = this->correction_at(j).gradient(Number(-1.0) * pair.slope, pair.value);  // ∇̃_b0 W̃_ba
     const auto other_stress = gathered(r.stress, j, &StressRecord<D>::stress);
     const auto other_cofactor = gathered(r.stress, j, &StressRecord<D>::cofactor);
     const auto pull = times(other_stress, there);
     const auto bracket = times(other_cofactor, there) - times(a.cofactor, here);
 
-    const Pack approach = dot(v, x);
-    const Pack density = gathered(r.stress, j, &StressRecord<D>::density);
-    const Pack c = Pack(0.5) * (a.sound_speed + gathered(r.stress, j, &StressRecord<D>::sound_speed));
-    const auto [pi, speed] = viscosity(approach, dot(x, x), pair.h, c, Pack(0.5) * (a.density + density));
+    const Number approach = dot(v, x);
+    const Number density = gathered(r.stress, j, &StressRecord<D>::density);
+    const Number c = Number(0.5) * (a.sound_speed + gathered(r.stress, j, &StressRecord<D>::sound_speed));
+    const auto [pi, speed] = viscosity(approach, dot(x, x), pair.h, c, Number(0.5) * (a.density + density));
     // Where the deformation turns the gradients against the line between the particles, Π would drive them, not damp
     // them.
-    const Pack power = dot(v, bracket);
-    const Pack damping = select(power < Pack(0.0), volume * density * pi, Pack(0.0));
+    const Number power = dot(v, bracket);
+    const Number damping = select(power < Number(0.0), volume * density * pi, Number(0.0));
     for (int k = 0; k < D; ++k) {
       sums.gradient[k] += volume * here[k];
       sums.pull[k] += volume * pull[k];
       sums.viscous[k] += damping * bracket[k];
     }
     sums.heat += damping * power;
-    sums.signal = larger(sums.signal, select(pair.value * volume > Pack(0.0), speed, Pack(0.0)));
+    sums.signal = larger(sums.signal, select(pair.value * volume > Number(0.0), speed, Number(0.0)));
   }
 
   template <class Lanes>

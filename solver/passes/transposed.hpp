@@ -1,6 +1,7 @@
 #pragma once
-// Records of a lattice, number by number: the k-th number of all cells, then the next one. A pass reads a member of
-// pack_width cells side by side with one load a number, by the names that it uses for records that it gathers.
+// Records of a lattice, row by row, and in a row number by number: the k-th number of all its cells, then the next one.
+// A pass reads a member of wide_pack_width cells side by side with one load a number, by the names that it uses for
+// records that it gathers. All that it reads of the few rows near a particle then lies on a few pages of memory.
 
 #include <span>
 #include <vector>
@@ -16,20 +17,27 @@ namespace tektite {
 template <class Record>
 struct Transposed {
   const double* numbers;
-  std::size_t cells;
+  std::size_t pitch;  ///< cells in a row
+  std::size_t kept;   ///< numbers of a record
+};
+
+template <class Record>
+struct NumberOf<Transposed<Record>> {
+  using Type = WidePack;
 };
 
 /// number(record), a reference to one, of the cells from this one on.
 template <class Record, class Number>
-[[gnu::always_inline]] inline Pack gathered_by(const Transposed<Record>& t, std::size_t cell, const Number& number) {
+[[gnu::always_inline]] inline WidePack gathered_by(const Transposed<Record>& t, const LatticeCell& cell,
+                                                   const Number& number) {
   static constexpr Record any{};
   const auto k = static_cast<std::size_t>(&number(any) - reinterpret_cast<const double*>(&any));
-  return Pack(t.numbers + k * t.cells + cell, std::experimental::element_aligned);
+  return WidePack(t.numbers + (cell.row * t.kept + k) * t.pitch + cell.column, std::experimental::element_aligned);
 }
 
 /// A member of the particles themselves, each in its lane.
 template <class Record, class Owner, class Member>
-[[gnu::always_inline]] inline auto own(const Transposed<Record>& t, std::size_t cell, Member Owner::*member) {
+[[gnu::always_inline]] inline auto own(const Transposed<Record>& t, const LatticeCell& cell, Member Owner::*member) {
   return gathered(t, cell, member);
 }
 
@@ -39,43 +47,52 @@ class TransposedRecords {
  public:
   static constexpr std::size_t all = sizeof(Record) / sizeof(double);
 
-  /// A whole number of packs of cells; only the first `numbers` of each record are kept and may be read.
-  explicit TransposedRecords(std::size_t cells, std::size_t numbers = all)
-      : cells_(cells), kept_(numbers), numbers_(numbers * cells, 0.0) {}
+  /// Only the first `numbers` of each record are kept and may be read.
+  template <int D>
+  explicit TransposedRecords(const Lattice<D>& lattice, std::size_t numbers = all)
+      : pitch_(lattice.pitch()), kept_(numbers), numbers_(numbers * lattice.records().size(), 0.0) {}
 
   /// Copies the record of every cell that holds one; all others stay zero.
-  void fill(std::span<const std::uint32_t> record_of_cell, const std::vector<Record>& records) {
+  template <int D>
+  void fill(const Lattice<D>& lattice, const std::vector<Record>& records) {
     static const Record nobody{};
-    for_each(cells_ / pack_width, [&](std::size_t n) {
-      const std::size_t cell = n * pack_width;
-      const double* place[pack_width];
-      bool any = false;
-      for (std::size_t lane = 0; lane < pack_width; ++lane) {
-        const auto i = record_of_cell[cell + lane];
-        any = any || i != Lattice<1>::nobody;
-        place[lane] = reinterpret_cast<const double*>(i != Lattice<1>::nobody ? &records[i] : &nobody);
+    for_each(lattice.rows(), [&](std::size_t row) {
+      const auto cells = lattice.records().subspan(row * pitch_, pitch_);
+      double* const numbers = numbers_.data() + row * pitch_ * kept_;
+      for (std::size_t column = 0; column + pack_width <= pitch_; column += pack_width) {
+        const double* place[pack_width];
+        bool any = false;
+        for (std::size_t lane = 0; lane < pack_width; ++lane) {
+          const auto i = cells[column + lane];
+          any = any || i != lattice.nobody;
+          place[lane] = reinterpret_cast<const double*>(i != lattice.nobody ? &records[i] : &nobody);
+        }
+        if (any) copy(place, numbers + column);
       }
-      if (!any) return;
-      std::size_t k = 0;
-      for (; k + pack_width <= kept_; k += pack_width) {
-        Pack turned[pack_width];
-        gather<1>(place, turned);
-        for (std::size_t m = 0; m < pack_width; ++m) turned[m].copy_to(to(k + m, cell), whole);
-        for (auto& next : place) next += pack_width;
-      }
-      for (std::size_t m = 0; k < kept_; ++k, ++m)
-        for (std::size_t lane = 0; lane < pack_width; ++lane) to(k, cell)[lane] = place[lane][m];
     });
   }
 
-  Transposed<Record> view() const { return {numbers_.data(), cells_}; }
+  Transposed<Record> view() const { return {numbers_.data(), pitch_, kept_}; }
   std::size_t memory() const { return numbers_.capacity() * sizeof(double); }
 
  private:
-  static constexpr auto whole = std::experimental::element_aligned;
-  double* to(std::size_t number, std::size_t cell) { return numbers_.data() + number * cells_ + cell; }
+  /// Turns pack_width records.
+  void copy(const double* (&place)[pack_width], double* to) {
+    std::size_t k = 0;
+    for (; k + pack_width <= kept_; k += pack_width) {
+      Pack turned[pack_width];
+      gather<1>(place, turned);
+      for (const auto& number : turned) {
+        number.copy_to(to, std::experimental::element_aligned);
+        to += pitch_;
+      }
+      for (auto& next : place) next += pack_width;
+    }
+    for (std::size_t m = 0; k < kept_; ++k, ++m, to += pitch_)
+      for (std::size_t lane = 0; lane < pack_width; ++lane) to[lane] = place[lane][m];
+  }
 
-  std::size_t cells_, kept_;
+  std::size_t pitch_, kept_;
   std::vector<double> numbers_;
 };
 

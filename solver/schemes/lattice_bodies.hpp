@@ -44,13 +44,13 @@ class LatticeBodies {
   const std::vector<std::uint8_t>& lists() const { return lists_; }
 
   void fill(const std::vector<ReferenceRecord<D>>& records) {
-    for (auto& body : bodies_) body.reference.fill(body.lattice.records(), records);
+    for (auto& body : bodies_) body.reference.fill(body.lattice, records);
   }
   void fill(const std::vector<MotionRecord<D>>& records) {
-    for (auto& body : bodies_) body.motion.fill(body.lattice.records(), records);
+    for (auto& body : bodies_) body.motion.fill(body.lattice, records);
   }
   void fill(const std::vector<StressRecord<D>>& records) {
-    for (auto& body : bodies_) body.stress.fill(body.lattice.records(), records);
+    for (auto& body : bodies_) body.stress.fill(body.lattice, records);
   }
 
   /// Leaves out where wanted(record) says no.
@@ -89,9 +89,9 @@ class LatticeBodies {
 
     Body(Lattice<D> found, double h, bool corrected)
         : lattice(std::move(found)),
-          reference(lattice.records().size(), corrected ? reference.all : before_correction),
-          motion(lattice.records().size()),
-          stress(lattice.records().size()) {
+          reference(lattice, corrected ? reference.all : before_correction),
+          motion(lattice),
+          stress(lattice) {
       for (const auto& neighbour : lattice.neighbours()) {
         const KernelPair<Kernel, D> pair(broadcast(neighbour.x), Pack(h));
         auto slope = Vector<double, D>::zero();
