@@ -59,7 +59,9 @@ TEST_CASE("Axis: rings of the total-Lagrangian scheme follow a linear motion exa
       p.reals(Field::velocity)[2 * i] = across * p.reals(Field::position)[2 * i];
       p.reals(Field::velocity)[2 * i + 1] = along * p.reals(Field::position)[2 * i + 1];
     }
-    auto simulation = test::simulation_of("time.end = '1 s'\nscheme.type = 'total-lagrangian'\n" + steel, std::move(p));
+    auto simulation = test::simulation_of(
+        "time.end = '1 s'\nscheme.type = 'total-lagrangian'\nviscosity = { alpha = 0.0, beta = 0.0 }\n" + steel,
+        std::move(p));
     simulation.step();
     const auto rho = test::by_id(simulation.particles(), Field::density);
     const auto s = test::by_id(simulation.particles(), Field::deviatoric_stress);
@@ -81,12 +83,13 @@ TEST_CASE("Axis: a bar that vibrates keeps its energy and its momentum along the
       auto p = rod(offset);
       for (std::size_t i = 0; i < p.count(); ++i)
         p.reals(Field::velocity)[2 * i + 1] = 5.0 + 20.0 * std::cos(M_PI * p.reals(Field::position)[2 * i + 1] / 0.029);
-      auto simulation = test::simulation_of("time.end = '1 s'\nscheme.type = '" + scheme + "'\n" + steel, std::move(p));
-      const auto before = simulation.scheme().ledger();
-      test::take_steps(simulation, 300);
-      const auto after = simulation.scheme().ledger();
+      auto simulation = test::simulation_of(
+          "time.end = '1 s'\nscheme = { courant = 0.1, type = '" + scheme + "' }\n" + steel, std::move(p));
+      const auto before = simulation.ledger();
+      test::take_steps(simulation, 700);
+      const auto after = simulation.ledger();
       CHECK(after.momentum[1] == Approx(before.momentum[1]).epsilon(1e-12));
-      // The leapfrog's own drift: of second order in the step.
+      // The leapfrog's own drift: of second order in the step, 1.3e-4 with a courant number of 0.25.
       CHECK(after.total() == Approx(before.total()).epsilon(1e-4));
       CHECK(after.kinetic < 0.9 * before.kinetic);  // it did vibrate
     }
@@ -94,11 +97,11 @@ TEST_CASE("Axis: a bar that vibrates keeps its energy and its momentum along the
 }
 
 TEST_CASE("Axis: a bar under uniform pressure at rest does not feel the axis", "[axis]") {
-  // Between two symmetry planes a fluid is compressed as a whole; only its mantle is free. Long before the wave from
-  // there arrives the inner half has nothing to do.
+  // A compressed fluid on a symmetry plane: only its mantle and its top are free, and in the first step the middle, far
+  // from both, has nothing to do.
   const std::string fluid =
       "smoothing = { kernel = 'truncated-gaussian', ratio = 1.5 }\n"
-      "symmetry.below = { axis = 'y', at = -0.0005 }\nsymmetry.above = { axis = 'y', at = 0.0295, keep = 'below' }\n"
+      "symmetry.below = { axis = 'y', at = -0.0005 }\n"
       "[material.steel]\ndensity = 7746.0\neos = { model = 'linear', bulk_modulus = '169.1 GPa' }\n";
   for (const std::string scheme : {"total-lagrangian", "eulerian"}) {
     auto p = rod(0.5);
@@ -108,7 +111,7 @@ TEST_CASE("Axis: a bar under uniform pressure at rest does not feel the axis", "
     const auto pressure = test::by_id(simulation.particles(), Field::pressure)[0];
     REQUIRE(pressure > 1.8e9);
     double inner = 0.0;
-    for (std::size_t row = 0; row < 30; ++row)
+    for (std::size_t row = 0; row < 20; ++row)
       for (std::size_t k = 0; k < 5; ++k) inner = std::max(inner, std::abs(a[20 * row + 2 * k]));
     // What the sum over a lattice leaves of an integral over the kernel, in p/(ρ δ): a ring without its image has 1.
     WARN(scheme << ": " << inner / (pressure / (density * spacing)));
