@@ -1,5 +1,5 @@
-// What is measured of a Taylor bar, in an axisymmetric space: its length, the rear part that stayed as it was, and the
-// face that struck.
+// What is measured of a Taylor bar, in an axisymmetric space or a solid, along y about the origin: its length, the rear
+// part that stayed as it was, and the face that struck.
 
 #include <fmt/format.h>
 
@@ -35,8 +35,11 @@ struct Rod {
 
 Rod rod_of(const Event& event, const std::string& name) {
   const auto& particles = event.last_snapshot.particles;
-  if (particles.space() != Space::axisymmetric)
-    throw RunError(fmt::format("a rod is measured in an axisymmetric space, not in {}", name_of(particles.space())));
+  const bool solid = particles.space() == Space::solid;
+  if (!solid && particles.space() != Space::axisymmetric)
+    throw RunError(
+        fmt::format("a rod is measured in an axisymmetric space or a solid, not in {}", name_of(particles.space())));
+  const auto radius = [solid](const auto& x) { return solid ? std::hypot(x[0], x[2]) : x[0]; };
   const auto place = places_in(event.initial, event.last);
   const auto& body = event.last.bodies[static_cast<std::size_t>(event.last.body_named(name))];
   Rod rod;
@@ -45,7 +48,7 @@ Rod rod_of(const Event& event, const std::string& name) {
   for (auto i = body.range.begin; i < body.range.end; ++i) {
     const auto& start = event.initial.position[place[i]];
     const auto& now = event.last.position[i];
-    rod.points.push_back({{start[0], start[1]}, {now[0], now[1]}});
+    rod.points.push_back({{radius(start), start[1]}, {radius(now), now[1]}});
   }
   return rod;
 }

@@ -25,8 +25,9 @@ struct PredictLagrangianMotion {
 
 /// From F and its rate in the middle of a step: cofactor and J, L = Ḟ F⁻¹, the density m/(V_0 J) and the energy there,
 /// e + (σ:L/ρ + q) dt/2 with the stress at the step's beginning. An Eulerian particle's density and energy follow from
-/// the L of the step before, and its J from its density.
-template <int D>
+/// the L of the step before, and its J from its density. Rings stretch along themselves too: their volume is V_0 J λ,
+/// and F, J and L are those of the section.
+template <int D, bool rings>
 struct Deform {
   const ReferenceRecord<D>* reference;  ///< without volume where the particle has failed: it is not deformed any more
   const Tensor<double, D>* deformation;
@@ -38,6 +39,8 @@ struct Deform {
   const double* pressure;
   const Symmetric<double, D>* deviatoric_stress;
   const double* viscous_power;
+  const double* stretch;  ///< λ of rings
+  double* across_rate;    ///< of rings, 1/s
   double half_step;
   StressRecord<D>* records;
   Tensor<double, D>* velocity_gradient;
@@ -51,6 +54,7 @@ struct Deform {
       r.cofactor = Tensor<double, D>::zero();
       r.jacobian = 1.0;
       l = Tensor<double, D>::zero();
+      if constexpr (rings) across_rate[i] = 0.0;
       half_density[i] = density[i];
       half_energy[i] = energy[i];
       return;
@@ -65,11 +69,13 @@ struct Deform {
           l(a, b) = sum / r.jacobian;
         }
       half_density[i] = mass[i] / (reference_volume[i] * r.jacobian);
+      if constexpr (rings) half_density[i] /= stretch[i];
     } else {
       half_density[i] = density[i] * density_factor(half_step * trace(l));
       r.jacobian = mass[i] / (reference_volume[i] * half_density[i]);
     }
-    const double power = contract(deviatoric_stress[i], symmetric_part(l)) - pressure[i] * trace(l);
+    double power = contract(deviatoric_stress[i], symmetric_part(l)) - pressure[i] * trace(l);
+    if constexpr (rings) power += (deviatoric_stress[i].c[2] - pressure[i]) * across_rate[i];
     half_energy[i] = energy[i] + half_step * (power / density[i] + viscous_power[i]);
   }
 };
@@ -99,7 +105,7 @@ struct AssembleStress {
 };
 
 /// Velocity, place, density and energy at the end of the step. The stress power P : Ḟ V_0/m is σ : L/ρ.
-template <int D>
+template <int D, bool rings>
 struct AdvanceLagrangianMotion {
   const ReferenceRecord<D>* reference;
   const MotionRecord<D>* motion;
@@ -109,6 +115,7 @@ struct AdvanceLagrangianMotion {
   const Vector<double, D>* acceleration;
   const Tensor<double, D>* velocity_gradient;
   const double* viscous_power;
+  const double* across_rate;  ///< of rings, 1/s
   double step;
   Vector<double, D>* position;
   Vector<double, D>* velocity;
@@ -120,9 +127,14 @@ struct AdvanceLagrangianMotion {
     velocity[i] = velocity[i] + step * acceleration[i];
     position[i] = motion[i].x + (0.5 * step) * velocity[i];
     const auto& l = velocity_gradient[i];
-    const double power = contract(half_deviatoric_stress[i], symmetric_part(l)) - half_pressure[i] * trace(l);
-    density[i] = reference[i].lagrangian != 0.0 ? half_density[i] * std::exp(-0.5 * step * trace(l))
-                                                : density[i] * density_factor(step * trace(l));
+    double power = contract(half_deviatoric_stress[i], symmetric_part(l)) - half_pressure[i] * trace(l);
+    double growth = trace(l);
+    if constexpr (rings) {
+      power += (half_deviatoric_stress[i].c[2] - half_pressure[i]) * across_rate[i];
+      growth += across_rate[i];
+    }
+    density[i] = reference[i].lagrangian != 0.0 ? half_density[i] * std::exp(-0.5 * step * growth)
+                                                : density[i] * density_factor(step * growth);
     energy[i] += step * (power / half_density[i] + viscous_power[i]);
     viscous_work[i] += step * viscous_power[i];
   }

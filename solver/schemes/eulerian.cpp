@@ -9,7 +9,9 @@ template <Space space>
 std::unique_ptr<Scheme> make_eulerian_in(const SchemeSetup& setup);
 
 std::unique_ptr<Scheme> make_eulerian(const SchemeSetup& setup) {
-  return in_space<Space::line, Space::plane_strain, Space::plane_stress, Space::solid>(
+  if (setup.settings.contact && hoops_of(setup.particles.space()) > 0)
+    throw InputError({{}, "contact", {}, "the potential of the contact does not count rings", "no [contact]"});
+  return in_space<Space::line, Space::plane_strain, Space::plane_stress, Space::axisymmetric, Space::solid>(
       setup, [&](auto space) { return make_eulerian_in<space()>(setup); });
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "boundary/kernel_contact.hpp"
+#include "boundary/stop_at_anvil.hpp"
 #include "neighbours/neighbourhood.hpp"
 #include "parallel/for_each_pair.hpp"
 #include "passes/advance_motion.hpp"
@@ -13,6 +14,7 @@
 #include "passes/predict_motion.hpp"
 #include "passes/smoothing.hpp"
 #include "schemes/corrected_sums.hpp"
+#include "schemes/eulerian_rings.hpp"
 #include "schemes/hold_still.hpp"
 #include "schemes/make_scheme_in.hpp"
 #include "schemes/material_passes.hpp"
@@ -25,6 +27,8 @@ template <Space space, class Kernel>
 class EulerianScheme final : public Scheme {
   static constexpr int D = dimensions_of(space);
   static constexpr bool plane_stress = space == Space::plane_stress;
+  static constexpr bool rings = hoops_of(space) > 0;
+  static constexpr bool across = plane_stress || rings;  ///< stretches across the section too
 
  public:
   explicit EulerianScheme(const SchemeSetup& setup)
@@ -35,7 +39,8 @@ class EulerianScheme final : public Scheme {
         materials_(setup.particles, setup.materials),
         smoothing_(smoothing_range(setup.particles)),
         neighbourhood_(setup.particles, Kernel::support * smoothing_.second, setup.symmetry,
-                       {setup.settings.contact ? Pairing::within_bodies : Pairing::all}) {
+                       {setup.settings.contact ? Pairing::within_bodies : Pairing::all}),
+        anvil_(setup.settings.anvil) {
     if (CorrectedSums<Kernel, D>::needed(settings_)) corrected_.emplace(settings_);
     if (settings_.contact)
       contact_.emplace(particles_, setup.materials, neighbourhood_.support(), setup.symmetry, *settings_.contact);
@@ -47,7 +52,7 @@ class EulerianScheme final : public Scheme {
           Field::velocity_gradient, Field::viscous_power, Field::viscous_signal, Field::search_position})
       particles_.allocate(field);
     if (!particles_.has(Field::specific_internal_energy)) particles_.allocate(Field::specific_internal_energy);
-    if constexpr (plane_stress) {
+    if constexpr (across) {
       particles_.allocate(Field::thickness);
       std::ranges::fill(particles_.reals(Field::thickness), 1.0);
     }
@@ -72,7 +77,9 @@ class EulerianScheme final : public Scheme {
   void step(double dt) override {
     search(dt);
     evaluate_rates(dt);
+    anvil_.stop(particles_, dt);
     advance(dt);
+    anvil_.rest(particles_);
   }
 
   TimeStep stable_step() const override {
@@ -90,7 +97,7 @@ class EulerianScheme final : public Scheme {
 
   std::size_t memory() const override {
     return neighbourhood_.memory() + (contact_ ? contact_->memory() : 0) +
-           records_.capacity() * sizeof(EulerianRecord<D>) + (corrected_ ? corrected_->memory() : 0);
+           records_.capacity() * sizeof(EulerianRecord<D>) + (corrected_ ? corrected_->memory() : 0) + rings_.memory();
   }
 
  private:
@@ -99,7 +106,7 @@ class EulerianScheme final : public Scheme {
                              Field::half_deviatoric_stress})
       particles_.allocate(field);
     materials_.allocate_scratch();
-    if constexpr (plane_stress) particles_.allocate(Field::across_rate);
+    if constexpr (across) particles_.allocate(Field::across_rate);
   }
 
   void search(double dt) {
@@ -117,6 +124,7 @@ class EulerianScheme final : public Scheme {
     else
       with_smoothing(smoothing_, [this](const auto& smoothing) { sum_over_pairs(smoothing); });
     auto& p = particles_;
+    if constexpr (rings) rings_.turn(p, neighbourhood_.pairs());
     if (contact_)
       contact_->add_forces([this](std::size_t i) { return records_[i].x; }, p.template vectors<D>(Field::acceleration));
     hold_still(p, neighbourhood_.mirror(), p.template vectors<D>(Field::acceleration));
@@ -126,29 +134,34 @@ class EulerianScheme final : public Scheme {
     const auto scope = profile_.time("predict");
     auto& p = particles_;
     records_.resize(p.count() + neighbourhood_.mirror().images());
+    if constexpr (rings) rings_.resize(p, neighbourhood_.mirror());
     materials_.for_each_run([&](const auto& run) {
       if constexpr (plane_stress) {
         if (half_step > 0.0) materials_.stretch_across(run, half_step);
       }
+      if constexpr (rings) rings_.predict(p, run.range);
       run_through(run.range,
-                  PredictMotion<D, plane_stress>{
+                  PredictMotion<D, across>{
                       p.template vectors<D>(Field::position), p.template vectors<D>(Field::velocity),
                       p.template vectors<D>(Field::acceleration), p.template tensors<D>(Field::velocity_gradient),
                       p.template symmetrics<D>(Field::deviatoric_stress), p.scalars(Field::density),
                       p.scalars(Field::specific_internal_energy), p.scalars(Field::pressure),
                       p.scalars(Field::viscous_power), across_rate(), half_step, records_.data(),
                       p.scalars(Field::half_density), p.scalars(Field::half_energy)});
+      if constexpr (rings) rings_.measure(p, run.range, half_step, records_);
       materials_.evaluate_eos(run, Field::half_density, Field::half_energy, Field::half_pressure,
                               Field::half_sound_speed);
       materials_.predict_strength(run, half_step);
       materials_.release(run, Field::half_deviatoric_stress, Field::half_pressure);
-      run_through(run.range,
-                  AssembleRecords<D, plane_stress>{
-                      p.scalars(Field::mass), p.scalars(Field::half_density), p.scalars(Field::half_pressure),
-                      p.scalars(Field::half_sound_speed), p.template symmetrics<D>(Field::half_deviatoric_stress),
-                      thickness(), across_rate(), half_step, p.scalars(Field::smoothing_length), records_.data()});
+      run_through(run.range, AssembleRecords<D, across>{
+                                 p.scalars(Field::mass), p.scalars(Field::half_density),
+                                 p.scalars(Field::half_pressure), p.scalars(Field::half_sound_speed),
+                                 p.template symmetrics<D>(Field::half_deviatoric_stress), thickness(), across_rate(),
+                                 rings ? 0.0 : half_step, p.scalars(Field::smoothing_length), records_.data()});
+      if constexpr (rings) rings_.show(p, run.range, records_);
     });
     neighbourhood_.mirror().fill(records_, p.count());
+    if constexpr (rings) rings_.fill_images(p, neighbourhood_.mirror());
   }
 
   template <class Smoothing>
@@ -168,32 +181,41 @@ class EulerianScheme final : public Scheme {
     materials_.for_each_run([&](const auto& run) {
       if constexpr (plane_stress) {
         materials_.stretch_across(run, dt);
+      }
+      if constexpr (across) {
         run_through(run.range, AdvanceThickness{p.scalars(Field::across_rate), dt, p.scalars(Field::thickness)});
       }
-      run_through(run.range, AdvanceMotion<D, plane_stress>{
+      run_through(run.range, AdvanceMotion<D, across>{
                                  records_.data(), p.template vectors<D>(Field::acceleration),
                                  p.template tensors<D>(Field::velocity_gradient), p.scalars(Field::viscous_power),
                                  across_rate(), dt, p.template vectors<D>(Field::position),
                                  p.template vectors<D>(Field::velocity), p.scalars(Field::density),
                                  p.scalars(Field::specific_internal_energy), p.scalars(Field::viscous_work)});
+      if constexpr (rings) rings_.heat(p, run.range, dt);
       materials_.advance_strength(run, dt);
       materials_.advance_damage(run, dt);
       materials_.evaluate_state(run);
     });
   }
 
-  const double* across_rate() { return plane_stress ? particles_.scalars(Field::across_rate) : nullptr; }
-  const double* thickness() { return plane_stress ? particles_.scalars(Field::thickness) : nullptr; }
+  const double* across_rate() { return across ? particles_.scalars(Field::across_rate) : nullptr; }
+  /// Of the middle of the step for rings, of its start in plane stress.
+  const double* thickness() {
+    if constexpr (rings) return rings_.circumference();
+    return plane_stress ? particles_.scalars(Field::thickness) : nullptr;
+  }
 
   Particles& particles_;
   Profile& profile_;
   SchemeSettings settings_;
   MonaghanViscosity viscosity_;
-  MaterialPasses<D, plane_stress> materials_;
+  MaterialPasses<D, across> materials_;
   std::pair<double, double> smoothing_;  ///< smallest and largest h
   Neighbourhood<D> neighbourhood_;
   std::optional<CorrectedSums<Kernel, D>> corrected_;
   std::optional<KernelContact<D, Kernel>> contact_;
+  StopAtAnvil<D> anvil_;
+  EulerianRings<Kernel> rings_;  ///< of an axisymmetric space
   std::vector<EulerianRecord<D>> records_;
 };
 

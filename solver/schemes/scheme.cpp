@@ -40,7 +40,8 @@ Viscosity read_viscosity(Section& root) {
 std::optional<SymmetryPlane> read_anvil(Section& root, const Scene& scene, bool supported) {
   if (!root.has("anvil")) return std::nullopt;
   auto section = root.section("anvil");
-  if (!supported) throw section.fault("", "the scheme knows no anvil", "the scheme msph or ssph");
+  if (!supported)
+    throw section.fault("", "the scheme knows no anvil", "the scheme eulerian, total-lagrangian, msph or ssph");
   const int axis = axis_named(section, "axis", scene.space);
   if (axis == 0 && hoops_of(scene.space) > 0) throw section.fault("axis", "an anvil lies across the axis", "y");
   const double at = section.quantity("at", dimension::length, limits::any, 0.0);
@@ -86,7 +87,7 @@ SchemeSettings read_scheme(Section& root, const Scene& scene) {
   smoothing.choice("kernel", Family<Kernel>::names());
   if (!settings.type.starts_with("godunov")) settings.viscosity = read_viscosity(root);
   settings.contact = read_contact(root);
-  settings.anvil = read_anvil(root, scene, strong);
+  settings.anvil = read_anvil(root, scene, strong || eulerian || settings.type == "total-lagrangian");
   return settings;
 }
 

@@ -34,7 +34,7 @@ struct SchemeSettings {
   std::optional<ContactSettings> contact;
   std::shared_ptr<const GodunovSettings> godunov;  ///< of the scheme godunov-split
   double smoothing_share = 0.0;                    ///< α_cs of the conservative smoothing
-  std::optional<SymmetryPlane> anvil;              ///< a rigid smooth wall, msph and ssph only
+  std::optional<SymmetryPlane> anvil;              ///< a rigid smooth wall
 };
 
 /// Everything that a scheme is built from. The particles outlive the scheme.

@@ -15,8 +15,11 @@ std::unique_ptr<Scheme> make_total_lagrangian(const SchemeSetup& setup) {
                       {},
                       setup.settings.type + " bodies meet by contact alone, and the scene has none",
                       "[contact]"});
-  return in_space<Space::line, Space::plane_strain, Space::solid>(
-      setup, [&](auto space) { return make_total_lagrangian_in<space()>(setup); });
+  const auto make = [&](auto space) { return make_total_lagrangian_in<space()>(setup); };
+  if (setup.settings.type == "adaptle") return in_space<Space::line, Space::plane_strain, Space::solid>(setup, make);
+  if (setup.settings.contact && hoops_of(setup.particles.space()) > 0)
+    throw InputError({{}, "contact", {}, "the potential of the contact does not count rings", "no [contact]"});
+  return in_space<Space::line, Space::plane_strain, Space::axisymmetric, Space::solid>(setup, make);
 }
 
 }  // namespace tektite

@@ -6,6 +6,7 @@
 
 #include "boundary/kernel_contact.hpp"
 #include "boundary/mirror.hpp"
+#include "boundary/stop_at_anvil.hpp"
 #include "neighbours/order.hpp"
 #include "neighbours/reference_pairs.hpp"
 #include "parallel/for_each_pair.hpp"
@@ -15,6 +16,7 @@
 #include "schemes/converter.hpp"
 #include "schemes/eulerian_part.hpp"
 #include "schemes/hold_still.hpp"
+#include "schemes/lagrangian_rings.hpp"
 #include "schemes/lattice_bodies.hpp"
 #include "schemes/make_scheme_in.hpp"
 #include "schemes/material_passes.hpp"
@@ -32,6 +34,7 @@ namespace tektite {
 template <Space space, class Kernel>
 class TotalLagrangianScheme final : public Scheme {
   static constexpr int D = dimensions_of(space);
+  static constexpr bool rings = hoops_of(space) > 0;
 
  public:
   explicit TotalLagrangianScheme(const SchemeSetup& setup)
@@ -41,6 +44,7 @@ class TotalLagrangianScheme final : public Scheme {
         viscosity_(std::get<MonaghanViscosity>(setup.settings.viscosity)),
         materials_(setup.particles, setup.materials),
         mirror_(setup.symmetry),
+        anvil_(setup.settings.anvil),
         converter_(setup.settings.conversion) {
     if (settings_.contact) contact_.emplace(particles_, setup.materials, support(), setup.symmetry, *settings_.contact);
     if (settings_.type == "adaptle") eulerian_.emplace(particles_, support(), setup.symmetry, settings_);
@@ -82,7 +86,9 @@ class TotalLagrangianScheme final : public Scheme {
       if (eulerian_) eulerian_->prepare(dt);
     }
     evaluate_rates(dt);
+    anvil_.stop(particles_, dt);
     advance(dt);
+    anvil_.rest(particles_);
     if (settings_.conversion.by != Conversion::By::none) convert();
   }
 
@@ -101,10 +107,10 @@ class TotalLagrangianScheme final : public Scheme {
   }
 
   std::size_t memory() const override {
-    return pairs_.memory() + lattices_.memory() + (contact_ ? contact_->memory() : 0) +
+    return pairs_.memory() + off_lattice_.memory() + lattices_.memory() + (contact_ ? contact_->memory() : 0) +
            (eulerian_ ? eulerian_->memory() : 0) + reference_.capacity() * sizeof(ReferenceRecord<D>) +
            motion_.capacity() * sizeof(MotionRecord<D>) + stress_.capacity() * sizeof(StressRecord<D>) +
-           2 * deformation_.capacity() * sizeof(Tensor<double, D>);
+           2 * deformation_.capacity() * sizeof(Tensor<double, D>) + rings_.memory();
   }
 
  private:
@@ -115,9 +121,10 @@ class TotalLagrangianScheme final : public Scheme {
     for (const auto field : {Field::half_density, Field::half_energy, Field::half_pressure, Field::half_sound_speed,
                              Field::half_deviatoric_stress})
       particles_.allocate(field);
+    if constexpr (rings) particles_.allocate(Field::across_rate);
     materials_.allocate_scratch();
     const ReferencePlaces<D> places(particles_, mirror_, support());
-    lattices_.find(particles_, places.x, places.body, support(), settings_.corrected);
+    if constexpr (!rings) lattices_.find(particles_, places.x, places.body, support(), settings_.corrected);
     const auto count = particles_.count(), all = count + mirror_.images();
     reference_.resize(all);
     motion_.resize(all);
@@ -131,8 +138,11 @@ class TotalLagrangianScheme final : public Scheme {
       r.smoothing_length = particles_.scalars(Field::smoothing_length)[i];
       r.correction = Correction<double, D>::none();
     }
+    if constexpr (rings) rings_.prepare(particles_, reference_);
     note_kernel_types();
-    if (settings_.corrected || eulerian_) pairs_ = reference_pairs<D>(places, count, support());
+    const bool all_pairs = settings_.corrected || eulerian_ || rings;
+    if (all_pairs) pairs_ = reference_pairs<D>(places, count, support());
+    if constexpr (rings) rings_.find_offsets(pairs_, mirror_, reference_);
     if (settings_.corrected) uncorrected_ = MixedCorrection<Kernel, D>().find(pairs_, mirror_, reference_, count);
     lattices_.fill(reference_);
     if (eulerian_) {
@@ -140,7 +150,7 @@ class TotalLagrangianScheme final : public Scheme {
     } else if (lattices_.any()) {
       pairs_ = reference_pairs<D>(places, count, support(), lattices_.lists());
       pairs_.drop_runs(lattices_.lists());
-    } else if (!settings_.corrected) {
+    } else if (!all_pairs) {
       pairs_ = reference_pairs<D>(places, count, support());
     }
   }
@@ -209,6 +219,8 @@ class TotalLagrangianScheme final : public Scheme {
       sweep([this]<bool corrected, class Records>(const Records& records) {
         return DeformationSums<Kernel, D, corrected, Records>{{records}, deformation_.data(), rate_.data()};
       });
+      if constexpr (rings)
+        rings_.stretch(pairs_, mirror_, reference_, motion_, deformation_, rate_, p.scalars(Field::across_rate));
     }
     {
       const auto scope = profile_.time("stress");
@@ -228,6 +240,9 @@ class TotalLagrangianScheme final : public Scheme {
           p.scalars(Field::viscous_power),
           p.scalars(Field::viscous_signal)};
     });
+    if constexpr (rings)
+      rings_.add_forces(pairs_, mirror_, reference_, p.scalars(Field::mass),
+                        p.template vectors<D>(Field::acceleration));
     if (eulerian_) {
       add_interface_stress();
       eulerian_->evaluate(motion_);
@@ -276,18 +291,19 @@ class TotalLagrangianScheme final : public Scheme {
     lattices_.fill(reference_);
   }
 
-  using Run = typename MaterialPasses<D, false>::Run;
+  using Run = typename MaterialPasses<D, rings>::Run;
 
   /// Stress in the middle of a step, from the deformation there.
   void evaluate_stress(const Run& run, double half_step) {
     auto& p = particles_;
     run_through(run.range,
-                Deform<D>{reference_.data(), deformation_.data(), rate_.data(), p.scalars(Field::mass),
-                          p.scalars(Field::reference_volume), p.scalars(Field::density),
-                          p.scalars(Field::specific_internal_energy), p.scalars(Field::pressure),
-                          p.template symmetrics<D>(Field::deviatoric_stress), p.scalars(Field::viscous_power),
-                          half_step, stress_.data(), p.template tensors<D>(Field::velocity_gradient),
-                          p.scalars(Field::half_density), p.scalars(Field::half_energy)});
+                Deform<D, rings>{reference_.data(), deformation_.data(), rate_.data(), p.scalars(Field::mass),
+                                 p.scalars(Field::reference_volume), p.scalars(Field::density),
+                                 p.scalars(Field::specific_internal_energy), p.scalars(Field::pressure),
+                                 p.template symmetrics<D>(Field::deviatoric_stress), p.scalars(Field::viscous_power),
+                                 rings_.stretch_of_each(), across_rate(), half_step, stress_.data(),
+                                 p.template tensors<D>(Field::velocity_gradient), p.scalars(Field::half_density),
+                                 p.scalars(Field::half_energy)});
     materials_.evaluate_eos(run, Field::half_density, Field::half_energy, Field::half_pressure,
                             Field::half_sound_speed);
     materials_.predict_strength(run, half_step);
@@ -295,18 +311,21 @@ class TotalLagrangianScheme final : public Scheme {
     run_through(run.range, AssembleStress<D>{p.template symmetrics<D>(Field::half_deviatoric_stress),
                                              p.scalars(Field::half_pressure), p.scalars(Field::half_density),
                                              p.scalars(Field::half_sound_speed), stress_.data()});
+    if constexpr (rings) rings_.turn_stress(p, run.range, reference_, stress_);
   }
+
+  double* across_rate() { return rings ? particles_.scalars(Field::across_rate) : nullptr; }
 
   void advance(double dt) {
     const auto scope = profile_.time("advance");
     auto& p = particles_;
     materials_.for_each_run([&](const auto& run) {
       run_through(run.range,
-                  AdvanceLagrangianMotion<D>{
+                  AdvanceLagrangianMotion<D, rings>{
                       reference_.data(), motion_.data(), p.template symmetrics<D>(Field::half_deviatoric_stress),
                       p.scalars(Field::half_pressure), p.scalars(Field::half_density),
                       p.template vectors<D>(Field::acceleration), p.template tensors<D>(Field::velocity_gradient),
-                      p.scalars(Field::viscous_power), dt, p.template vectors<D>(Field::position),
+                      p.scalars(Field::viscous_power), across_rate(), dt, p.template vectors<D>(Field::position),
                       p.template vectors<D>(Field::velocity), p.scalars(Field::density),
                       p.scalars(Field::specific_internal_energy), p.scalars(Field::viscous_work)});
       materials_.advance_strength(run, dt);
@@ -319,9 +338,11 @@ class TotalLagrangianScheme final : public Scheme {
   Profile& profile_;
   SchemeSettings settings_;
   MonaghanViscosity viscosity_;
-  MaterialPasses<D, false> materials_;
+  MaterialPasses<D, rings> materials_;  ///< the ring's strain is the third one of the section
   Mirror<D> mirror_;
   std::optional<KernelContact<D, Kernel>> contact_;
+  StopAtAnvil<D> anvil_;
+  LagrangianRings<Kernel> rings_;  ///< of an axisymmetric space
   LatticeBodies<Kernel, D> lattices_;
   PairList pairs_;        ///< of all particles for the scheme adaptle, otherwise of those on no lattice
   PairList off_lattice_;  ///< of those on no lattice for the scheme adaptle

@@ -128,8 +128,9 @@ TEST_CASE("Restart: half a model with a symmetry plane goes on as if unbroken", 
 }
 
 TEST_CASE("Restart: an axisymmetric bar on an anvil goes on as if unbroken, on any number of threads", "[restart]") {
-  const std::string scene =
-      "scheme.type = 'msph'\nsmoothing.kernel = 'truncated-gaussian'\nanvil.axis = 'y'\n" + test::impact_scene;
+  const std::string scheme = GENERATE("msph", "total-lagrangian", "eulerian");
+  const std::string scene = "scheme.type = '" + scheme +
+                            "'\nsmoothing.kernel = 'truncated-gaussian'\nanvil.axis = 'y'\n" + test::impact_scene;
   const auto bar = [] {
     auto p = test::particles_on(Space::axisymmetric,
                                 {{"bar", "plate", test::impact_spacing, {0.0, 0.0}, {12, 60}, {0.0, -400.0}}}, 2785.0);
