@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "passes/godunov_records.hpp"
+#include "passes/pair_gradients.hpp"
 
 namespace tektite {
 
@@ -11,8 +12,10 @@ namespace tektite {
 ///   power = (1/ρ_i) Σ V_j (τ_i + τ_j) : ½ (v_j - v_i) ⊗ ∇W
 /// (with m_j/(ρ_i ρ_j) = V_j/ρ_i; eq. 32's time-centred velocity takes ½ Δṽ · dṽ/dt from the power, which
 /// KickDeviatoric does), and for second order the gradients ∇Q_i = Σ V_j (Q_j - Q_i) ∇W of density, pressure and
-/// velocity.
-template <class Kernel, class Smoothing, int D, int order>
+/// velocity. With corrected gradients both particles have their own, so that those that accelerate are those that
+/// strain, and energy is conserved as well:
+///   dṽ/dt = (1/ρ_i) Σ V_j (τ_i ∇̃_iW̃_ij - τ_j ∇̃_jW̃_ji),  power = (1/ρ_i) τ_i : Σ V_j (v_j - v_i) ⊗ ∇̃_iW̃_ij
+template <class Kernel, class Smoothing, int D, int order, class Gradients = PlainGradients<D>>
 struct DeviatoricRates {
   using Record = DeviatoricRecord<D>;
 
@@ -21,11 +24,13 @@ struct DeviatoricRates {
   Vector<double, D>* acceleration;
   double* power;                        ///< W/kg
   HydrodynamicRecord<D>* hydrodynamic;  ///< whose gradients are written
+  Gradients gradients = {};
 
   struct Self {
     Vector<Pack, D> x, v;
     Pack stress[Record::stresses];
     Pack density, pressure, h;
+    typename Gradients::Self gradients;
   };
   struct Sums {
     Vector<Pack, D> force = Vector<Pack, D>::zero();
@@ -44,6 +49,7 @@ struct DeviatoricRates {
     a.density = r.density;
     a.pressure = r.pressure;
     a.h = r.smoothing_length;
+    a.gradients = gradients.begin(i);
     return a;
   }
 
@@ -57,17 +63,33 @@ struct DeviatoricRates {
       x[k] = a.x[k] - b[k];
       v[k] = b[D + k] - a.v[k];
     }
-    const PairAxis<Kernel, D> pair(x, smoothing.inverse_of(smoothing.of_pair(a.h, rest[3])));
-    const Pack weight = rest[0] * pair.slope;
+    const Pack h = smoothing.of_pair(a.h, rest[3]);
     Vector<Pack, D> gradient;  // V_j ∇W
-    for (int k = 0; k < D; ++k) gradient[k] = weight * pair.e[k];
-    Pack stress[Record::stresses];
-    for (int k = 0; k < Record::stresses; ++k) stress[k] = a.stress[k] + other_stress[k];
-    for (int i = 0; i < D; ++i) {
-      Pack traction = stress[Record::index(i, 0)] * gradient[0];
-      for (int k = 1; k < D; ++k) traction += stress[Record::index(i, k)] * gradient[k];
-      sums.force[i] += traction;
-      sums.power += traction * v[i];
+    if constexpr (Gradients::corrected) {
+      const auto pair = gradients.of_pair(a.gradients, j, x, h);
+      gradient = rest[0] * pair.own;
+      const auto other_gradient = rest[0] * pair.other;
+      for (int i = 0; i < D; ++i) {
+        Pack pull = 0.0, pull_back = 0.0;
+        for (int k = 0; k < D; ++k) {
+          pull += a.stress[Record::index(i, k)] * gradient[k];
+          pull_back += other_stress[Record::index(i, k)] * other_gradient[k];
+        }
+        sums.force[i] += pull - pull_back;
+        sums.power += pull * v[i];
+      }
+    } else {
+      const PairAxis<Kernel, D> pair(x, smoothing.inverse_of(h));
+      const Pack weight = rest[0] * pair.slope;
+      for (int k = 0; k < D; ++k) gradient[k] = weight * pair.e[k];
+      Pack stress[Record::stresses];
+      for (int k = 0; k < Record::stresses; ++k) stress[k] = a.stress[k] + other_stress[k];
+      for (int i = 0; i < D; ++i) {
+        Pack traction = stress[Record::index(i, 0)] * gradient[0];
+        for (int k = 1; k < D; ++k) traction += stress[Record::index(i, k)] * gradient[k];
+        sums.force[i] += traction;
+        sums.power += traction * v[i];
+      }
     }
     if constexpr (order == 2) {
       const Pack density = rest[1] - a.density, pressure = rest[2] - a.pressure;
@@ -82,7 +104,7 @@ struct DeviatoricRates {
   void end(std::size_t i, const Sums& sums) const {
     const double inverse = 1.0 / records[i].density;
     for (int k = 0; k < D; ++k) acceleration[i][k] = inverse * sum(sums.force[k]);
-    power[i] = 0.5 * inverse * sum(sums.power);
+    power[i] = (Gradients::corrected ? 1.0 : 0.5) * inverse * sum(sums.power);
     if constexpr (order == 2) {
       auto& h = hydrodynamic[i];
       for (int k = 0; k < D; ++k) h.density_gradient[k] = sum(sums.density[k]);

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "passes/godunov_records.hpp"
+#include "passes/pair_gradients.hpp"
 #include "physics/riemann/wave.hpp"
 
 namespace tektite {
@@ -19,7 +21,17 @@ struct NoReconstruction {};
 ///   L     = Σ V_j (ṽ_j - ṽ_i) ⊗ ∇W                   what shears the deviatoric stress
 /// Second order reconstructs both sides by eq. 23-27 with the domain of influence (1 - c Δt/r_ij) (printed without
 /// r_ij); Algorithm 1 leaves that out where either particle has failed, and lets such a pair bear no tension.
-template <class Kernel, class Smoothing, int D, class Solver, class Limiter>
+///
+/// With corrected gradients the pressures of both act with the gradients of each, as in the deviatoric half, and what
+/// the waves add, π = p* - ½ (p_i + p_j) and w, the speed of the contact beyond the mean of both, acts along e_ij with
+/// their mean, g = ½ e·(∇̃_iW̃_ij - ∇̃_jW̃_ji), never above zero, so that it damps:
+///   dv̌/dt = -(1/ρ_i) Σ V_j (p_i ∇̃_iW̃_ij - p_j ∇̃_jW̃_ji + 2 π g e)
+///   tr L* = Σ V_j ((ṽ_j - ṽ_i)·∇̃_iW̃_ij + 2 w g)      exact for linear fields
+///   power = -(1/ρ_i) Σ V_j (p_i (ṽ_j - ṽ_i)·∇̃_iW̃_ij + (p_i + p_j) w g + 2 π v* g)
+/// whose sum over a pair is the work of its forces. In a pair with a failed particle p_i and p_j are not below zero.
+/// The sides then are those of the middle of the step, p - ½ Δt ρ c² tr L and v - ½ Δt ∇p/ρ, in place of the domain of
+/// influence: that one sees e·L e, which is not zero in shear, as a viscosity would.
+template <class Kernel, class Smoothing, int D, class Solver, class Limiter, class Gradients = PlainGradients<D>>
 struct HydrodynamicRates {
   using Record = HydrodynamicRecord<D>;
   static constexpr bool reconstructs = !std::is_same_v<Limiter, NoReconstruction>;
@@ -35,12 +47,14 @@ struct HydrodynamicRates {
   double* divergence;  ///< tr L*, 1/s
   Tensor<double, D>* velocity_gradient;
   double* approach;  ///< largest speed at which a neighbour comes nearer, m/s
+  Gradients gradients = {};
 
   struct Self {
     Vector<Pack, D> x, v;
     Pack density, pressure, sound_speed, shock_slope, inverse_slope, h, failed;
     Vector<Pack, D> density_gradient, pressure_gradient;
     Tensor<Pack, D> velocity_gradient;
+    typename Gradients::Self gradients;
   };
   struct Sums {
     Vector<Pack, D> force = Vector<Pack, D>::zero();
@@ -62,6 +76,7 @@ struct HydrodynamicRates {
     a.inverse_slope = r.inverse_slope;
     a.h = r.smoothing_length;
     a.failed = r.failed;
+    a.gradients = gradients.begin(i);
     if constexpr (reconstructs) {
       a.density_gradient = broadcast(r.density_gradient);
       a.pressure_gradient = broadcast(r.pressure_gradient);
@@ -79,29 +94,33 @@ struct HydrodynamicRates {
       x[k] = a.x[k] - b[k];
       v[k] = b[D + k] - a.v[k];
     }
-    const PairAxis<Kernel, D> pair(x, smoothing.inverse_of(smoothing.of_pair(a.h, rest[6])));
+    const Pack h = smoothing.of_pair(a.h, rest[6]);
+    const PairAxis<Kernel, D> pair(x, smoothing.inverse_of(h));
     const Pack closing = dot(v, pair.e);
     RiemannSide<Pack> right{a.pressure, Pack(0.0), a.density, a.sound_speed, a.shock_slope, a.inverse_slope};
     RiemannSide<Pack> left{rest[1], closing, rest[0], rest[2], rest[3], rest[4]};
     const auto failed = a.failed + rest[7] > Pack(0.0);
     if constexpr (reconstructs) {
-      const Pack intact = select(failed, Pack(0.0), Pack(0.5));
-      reconstruct(a, b + Record::plain, pair.e,
-                  intact * larger(pair.distance - Pack(step) * left.sound_speed, Pack(0.0)),
-                  intact * larger(pair.distance - Pack(step) * right.sound_speed, Pack(0.0)), left, right);
+      const Pack intact = select(failed, Pack(0.0), Pack(0.5)), time = Pack(step);
+      const Pack* const slopes = b + Record::plain;
+      if constexpr (Gradients::corrected) {
+        evolve(a, slopes, pair.e, intact * time, left, right);
+        reconstruct(a, slopes, pair.e, intact * pair.distance, intact * pair.distance, left, right);
+      } else {
+        reconstruct(a, slopes, pair.e, intact * larger(pair.distance - time * left.sound_speed, Pack(0.0)),
+                    intact * larger(pair.distance - time * right.sound_speed, Pack(0.0)), left, right);
+      }
     }
     auto star = solver(left, right);
     star.pressure = select(failed, larger(star.pressure, Pack(0.0)), star.pressure);
 
-    const Pack weight = rest[5] * pair.slope;  // V_j e·∇W
-    const Pack push = weight * star.pressure;
-    for (int i = 0; i < D; ++i) {
-      sums.force[i] += push * pair.e[i];
-      const Pack across = weight * v[i];
-      for (int k = 0; k < D; ++k) sums.gradient(i, k) += across * pair.e[k];
+    if constexpr (Gradients::corrected) {
+      const auto least = select(failed, Pack(0.0), Pack(-std::numeric_limits<double>::infinity()));
+      add_corrected(rest[5], gradients.of_pair(a.gradients, j, x, h), pair.e, v, closing, larger(a.pressure, least),
+                    larger(rest[1], least), star, sums);
+    } else {
+      add_plain(rest[5] * pair.slope, pair.e, v, star, sums);
     }
-    sums.power += push * star.velocity;
-    sums.divergence += weight * star.velocity;
     sums.approach = larger(sums.approach, select(pair.slope < Pack(0.0), closing, Pack(0.0)));
   }
 
@@ -115,8 +134,57 @@ struct HydrodynamicRates {
   }
 
  private:
-  /// Brings both sides to the middle of the pair with their limited slopes; `gradients` are the left particle's.
-  void reconstruct(const Self& a, const Pack* gradients, const Vector<Pack, D>& e, const Pack& left_way,
+  /// `weight` is V_j e·∇W.
+  static void add_plain(const Pack& weight, const Vector<Pack, D>& e, const Vector<Pack, D>& v,
+                        const RiemannStar<Pack>& star, Sums& sums) {
+    const Pack push = weight * star.pressure;
+    for (int i = 0; i < D; ++i) {
+      sums.force[i] += push * e[i];
+      const Pack across = weight * v[i];
+      for (int k = 0; k < D; ++k) sums.gradient(i, k) += across * e[k];
+    }
+    sums.power += push * star.velocity;
+    sums.divergence += weight * star.velocity;
+  }
+
+  template <class Pair>
+  static void add_corrected(const Pack& volume, const Pair& pair, const Vector<Pack, D>& e, const Vector<Pack, D>& v,
+                            const Pack& closing, const Pack& own_pressure, const Pack& other_pressure,
+                            const RiemannStar<Pack>& star, Sums& sums) {
+    const Pack mean_pressure = Pack(0.5) * (own_pressure + other_pressure);
+    const Pack g = smaller(Pack(0.5) * dot(e, pair.own - pair.other), Pack(0.0));
+    const Pack damping = (star.pressure - mean_pressure) * g;
+    const Pack strain = Pack(0.5) * dot(v, pair.own), beyond = (star.velocity - Pack(0.5) * closing) * g;
+    for (int i = 0; i < D; ++i) {
+      const Pack push = Pack(0.5) * (own_pressure * pair.own[i] - other_pressure * pair.other[i]) + damping * e[i];
+      sums.force[i] += volume * push;
+      const Pack across = volume * v[i];
+      for (int k = 0; k < D; ++k) sums.gradient(i, k) += across * pair.own[k];
+    }
+    sums.power += volume * (own_pressure * strain + mean_pressure * beyond + damping * star.velocity);
+    sums.divergence += volume * (strain + beyond);
+  }
+
+  /// Brings both sides to the middle of the step, each with its own gradients.
+  static void evolve(const Self& a, const Pack* slopes, const Vector<Pack, D>& e, const Pack& half_step,
+                     RiemannSide<Pack>& left, RiemannSide<Pack>& right) {
+    const auto advance = [&](RiemannSide<Pack>& side, const Pack* pressure_gradient, const Pack* velocity_gradient) {
+      Pack divergence = velocity_gradient[0], push = pressure_gradient[0] * e[0];
+      for (int k = 1; k < D; ++k) {
+        divergence += velocity_gradient[k * D + k];
+        push += pressure_gradient[k] * e[k];
+      }
+      const Pack thinning = half_step * divergence * side.density;
+      side.pressure -= thinning * side.sound_speed * side.sound_speed;
+      side.velocity -= half_step * push / side.density;
+      side.density -= thinning;
+    };
+    advance(left, slopes + D, slopes + 2 * D);
+    advance(right, a.pressure_gradient.c, a.velocity_gradient.c);
+  }
+
+  /// Brings both sides to the middle of the pair with their limited slopes; `slopes` are the left particle's.
+  void reconstruct(const Self& a, const Pack* slopes, const Vector<Pack, D>& e, const Pack& left_way,
                    const Pack& right_way, RiemannSide<Pack>& left, RiemannSide<Pack>& right) const {
     const auto along = [&](const Pack* gradient) {
       Pack slope = gradient[0] * e[0];
@@ -128,11 +196,11 @@ struct HydrodynamicRates {
       left.*member += left_way * slope;
       right.*member -= right_way * slope;
     };
-    bend(&RiemannSide<Pack>::density, along(gradients), along(a.density_gradient.c));
-    bend(&RiemannSide<Pack>::pressure, along(gradients + D), along(a.pressure_gradient.c));
+    bend(&RiemannSide<Pack>::density, along(slopes), along(a.density_gradient.c));
+    bend(&RiemannSide<Pack>::pressure, along(slopes + D), along(a.pressure_gradient.c));
     Pack left_slope = 0.0, right_slope = 0.0;  // of the velocity along e
     for (int k = 0; k < D; ++k) {
-      left_slope += e[k] * along(gradients + 2 * D + k * D);
+      left_slope += e[k] * along(slopes + 2 * D + k * D);
       right_slope += e[k] * along(a.velocity_gradient.c + k * D);
     }
     bend(&RiemannSide<Pack>::velocity, left_slope, right_slope);

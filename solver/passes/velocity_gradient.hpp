@@ -3,24 +3,27 @@
 #include <cstdint>
 
 #include "passes/godunov_records.hpp"
+#include "passes/pair_gradients.hpp"
 
 namespace tektite {
 
-/// L = Σ V_j (v_j - v_i) ⊗ ∇W
-template <class Kernel, class Smoothing, int D>
+/// L = Σ V_j (v_j - v_i) ⊗ ∇W, of the particle's own gradients where they are corrected.
+template <class Kernel, class Smoothing, int D, class Gradients = PlainGradients<D>>
 struct VelocityGradient {
   const DeviatoricRecord<D>* records;
   Smoothing smoothing;
   Tensor<double, D>* velocity_gradient;
+  Gradients gradients = {};
 
   struct Self {
     Vector<Pack, D> x, v;
     Pack h;
+    typename Gradients::Self gradients;
   };
   using Sums = struct { Tensor<Pack, D> gradient = Tensor<Pack, D>::zero(); };
 
   Self begin(std::size_t i) const {
-    return {broadcast(records[i].x), broadcast(records[i].v), records[i].smoothing_length};
+    return {broadcast(records[i].x), broadcast(records[i].v), records[i].smoothing_length, gradients.begin(i)};
   }
 
   void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
@@ -33,10 +36,17 @@ struct VelocityGradient {
       x[k] = a.x[k] - b[k];
       v[k] = b[D + k] - a.v[k];
     }
-    const PairAxis<Kernel, D> pair(x, smoothing.inverse_of(smoothing.of_pair(a.h, rest[3])));
-    const Pack weight = rest[0] * pair.slope;
-    for (int i = 0; i < D; ++i)
-      for (int k = 0; k < D; ++k) sums.gradient(i, k) += weight * v[i] * pair.e[k];
+    const Pack h = smoothing.of_pair(a.h, rest[3]);
+    if constexpr (Gradients::corrected) {
+      const auto pair = gradients.of_pair(a.gradients, j, x, h);
+      for (int i = 0; i < D; ++i)
+        for (int k = 0; k < D; ++k) sums.gradient(i, k) += rest[0] * v[i] * pair.own[k];
+    } else {
+      const PairAxis<Kernel, D> pair(x, smoothing.inverse_of(h));
+      const Pack weight = rest[0] * pair.slope;
+      for (int i = 0; i < D; ++i)
+        for (int k = 0; k < D; ++k) sums.gradient(i, k) += weight * v[i] * pair.e[k];
+    }
   }
 
   void end(std::size_t i, const Sums& sums) const {

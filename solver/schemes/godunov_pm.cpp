@@ -9,7 +9,7 @@ template <Space space>
 std::unique_ptr<Scheme> make_godunov_pm_in(const SchemeSetup& setup);
 
 std::unique_ptr<Scheme> make_godunov_pm(const SchemeSetup& setup) {
-  return in_space<Space::line, Space::plane_strain, Space::solid>(
+  return in_space<Space::line, Space::plane_strain, Space::plane_stress, Space::solid>(
       setup, [&](auto space) { return make_godunov_pm_in<space()>(setup); });
 }
 

@@ -40,11 +40,12 @@ class GodunovPmScheme final : public GodunovScheme<space, Kernel, ContactStateRe
       materials_.for_each_run([&](const Run& run) {
         const double shear_modulus =
             std::visit([](const auto& model) { return model.shear_modulus; }, run.material->strength);
-        run_through(run.range, AssembleContactStates<D>{
+        run_through(run.range, AssembleContactStates<D, Base::plane_stress>{
                                    p.template vectors<D>(Field::position), p.template vectors<D>(Field::velocity),
                                    p.template symmetrics<D>(Field::deviatoric_stress), p.scalars(Field::mass),
                                    p.scalars(Field::density), p.scalars(Field::pressure), p.scalars(Field::wave_speed),
-                                   p.scalars(Field::smoothing_length), shear_modulus, records_.data()});
+                                   p.scalars(Field::smoothing_length), this->thickness(), shear_modulus,
+                                   membrane_density(), records_.data()});
       });
       neighbourhood_.mirror().fill(records_, p.count());
     }
@@ -52,7 +53,7 @@ class GodunovPmScheme final : public GodunovScheme<space, Kernel, ContactStateRe
     with_smoothing(smoothing_, [&](const auto& smoothing) {
       for_each_pair(neighbourhood_.pairs(),
                     ContactRates<Kernel, std::decay_t<decltype(smoothing)>, D>{
-                        records_.data(), smoothing, p.scalars(Field::density),
+                        records_.data(), smoothing, Base::plane_stress ? membrane_density() : p.scalars(Field::density),
                         p.template vectors<D>(Field::acceleration), power_.data(), divergence_.data(),
                         p.template tensors<D>(Field::velocity_gradient), p.scalars(Field::approach_speed)});
     });
@@ -61,17 +62,15 @@ class GodunovPmScheme final : public GodunovScheme<space, Kernel, ContactStateRe
 
   void advance(double dt) {
     const auto scope = profile_.time("advance");
-    auto& p = particles_;
     materials_.for_each_run([&](const Run& run) {
-      run_through(run.range,
-                  AdvanceGodunov<D>{p.template vectors<D>(Field::acceleration), power_.data(), divergence_.data(), dt,
-                                    p.template vectors<D>(Field::position), p.template vectors<D>(Field::velocity),
-                                    p.scalars(Field::specific_internal_energy), p.scalars(Field::density)});
+      this->advance_motion(run, dt);
       materials_.advance_strength(run, dt, Field::density);
       materials_.advance_damage(run, dt);
       materials_.evaluate_state(run);
     });
   }
+
+  double* membrane_density() const { return Base::plane_stress ? particles_.scalars(Field::half_density) : nullptr; }
 };
 
 /// One space for all kernels; each space is instantiated in a translation unit of its own.

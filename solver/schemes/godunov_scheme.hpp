@@ -24,7 +24,8 @@ template <Space space, class Kernel, class Record>
 class GodunovScheme : public Scheme {
  protected:
   static constexpr int D = dimensions_of(space);
-  using Materials = MaterialPasses<D, false>;
+  static constexpr bool plane_stress = space == Space::plane_stress;
+  using Materials = MaterialPasses<D, plane_stress>;
   using Run = typename Materials::Run;
 
  public:
@@ -45,6 +46,10 @@ class GodunovScheme : public Scheme {
                              Field::velocity_gradient, Field::approach_speed, Field::search_position})
       particles_.allocate(field);
     if (!particles_.has(Field::specific_internal_energy)) particles_.allocate(Field::specific_internal_energy);
+    if constexpr (plane_stress) {
+      for (const auto field : {Field::thickness, Field::viscous_power}) particles_.allocate(field);
+      std::ranges::fill(particles_.reals(Field::thickness), 1.0);
+    }
     materials_.start();
     allocate_scratch();
     materials_.evaluate_state();
@@ -91,8 +96,40 @@ class GodunovScheme : public Scheme {
 
   void allocate_scratch() {
     for (const auto field : {Field::half_pressure, Field::half_sound_speed}) particles_.allocate(field);
+    if constexpr (plane_stress) {
+      for (const auto field : {Field::across_rate, Field::half_density}) particles_.allocate(field);
+    }
     materials_.allocate_scratch();
   }
+
+  /// Velocity, place, energy, density and, in plane stress, the thickness at the end of the step. With corrected
+  /// gradients the place moves with the velocity that strains, so that distances and densities agree where the two
+  /// halves of a split step accelerate against each other, as they do at every surface.
+  void advance_motion(const Run& run, double dt) {
+    auto& p = particles_;
+    if constexpr (plane_stress) {
+      if (dt > 0.0) stretch_across(run, dt);
+    }
+    run_through(run.range,
+                AdvanceGodunov<D>{p.template vectors<D>(Field::acceleration), power_.data(), dt,
+                                  settings_.corrected_eulerian ? 0.0 : 0.5, p.template vectors<D>(Field::position),
+                                  p.template vectors<D>(Field::velocity), p.scalars(Field::specific_internal_energy)});
+    run_through(run.range,
+                AdvanceDensity<plane_stress>{divergence_.data(), across_rate(), dt, p.scalars(Field::density)});
+  }
+
+  void stretch_across(const Run& run, double dt) requires plane_stress {
+    auto& p = particles_;
+    run_through(run.range, GrowArea{p.template vectors<D>(Field::acceleration), power_.data(), divergence_.data(),
+                                    p.template symmetrics<D>(Field::deviatoric_stress), p.scalars(Field::pressure),
+                                    p.scalars(Field::density), dt, p.template tensors<D>(Field::velocity_gradient),
+                                    p.scalars(Field::viscous_power)});
+    materials_.stretch_across(run, dt);
+    run_through(run.range, AdvanceThickness{p.scalars(Field::across_rate), dt, p.scalars(Field::thickness)});
+  }
+
+  const double* across_rate() const { return plane_stress ? particles_.scalars(Field::across_rate) : nullptr; }
+  const double* thickness() const { return plane_stress ? particles_.scalars(Field::thickness) : nullptr; }
 
   /// Brings the places in the records up to date: that is what tells of contact.
   void place_records() {

@@ -6,6 +6,7 @@
 #include "physics/eos/shock_slope.hpp"
 #include "schemes/godunov_scheme.hpp"
 #include "schemes/godunov_settings.hpp"
+#include "schemes/mixed_correction.hpp"
 
 namespace tektite {
 
@@ -13,7 +14,8 @@ namespace tektite {
 /// by the deviatoric stress, and the stress by the velocity gradient after it; the hydrodynamic half solves the Riemann
 /// problems. The gradients that second order needs are summed up beside the deviatoric forces, from the state at the
 /// start of the step: that of the velocity lacks the change by the deviatoric half, a term of second order in what is
-/// reconstructed.
+/// reconstructed. With the mixed correction every sum over pairs takes its gradients, found anew for the places of each
+/// search.
 template <Space space, class Kernel>
 class GodunovSplitScheme final : public GodunovScheme<space, Kernel, HydrodynamicRecord<dimensions_of(space)>> {
   using Base = GodunovScheme<space, Kernel, HydrodynamicRecord<dimensions_of(space)>>;
@@ -39,6 +41,7 @@ class GodunovSplitScheme final : public GodunovScheme<space, Kernel, Hydrodynami
   void step(double dt) override {
     const double part = godunov_.strang ? 0.5 * dt : dt;
     this->search();
+    find_correction();
     this->kick_by_contact(part);
     kick_by_deviator(part, true);
     solve_contacts(dt);
@@ -46,12 +49,41 @@ class GodunovSplitScheme final : public GodunovScheme<space, Kernel, Hydrodynami
     if (godunov_.strang) finish_symmetrically(part);
   }
 
-  std::size_t memory() const override { return Base::memory() + deviatoric_.capacity() * sizeof(DeviatoricRecord<D>); }
+  std::string remark() const override { return remark_on_correction(without_); }
+
+  std::size_t memory() const override {
+    return Base::memory() + deviatoric_.capacity() * sizeof(DeviatoricRecord<D>) +
+           corrections_.capacity() * sizeof(CorrectionRecord<D>);
+  }
 
  private:
   void resize_records() override {
     Base::resize_records();
     deviatoric_.resize(records_.size());
+  }
+
+  /// Corrections at the places and volumes of now.
+  void find_correction() {
+    if (!settings_.corrected_eulerian) return;
+    const auto scope = profile_.time("correction");
+    auto& p = particles_;
+    corrections_.resize(records_.size());
+    for_each(p.count(), [this, &p](std::size_t i) {
+      const double area_density = membrane<Base::plane_stress>(this->thickness(), i) * p.scalars(Field::density)[i];
+      corrections_[i] = {p.template vectors<D>(Field::position)[i], p.scalars(Field::mass)[i] / area_density,
+                         p.scalars(Field::smoothing_length)[i], Correction<double, D>::none()};
+    });
+    neighbourhood_.mirror().fill(corrections_, p.count());
+    without_ = correction_.find(neighbourhood_.pairs(), neighbourhood_.mirror(), corrections_, p.count());
+  }
+
+  /// sweep(smoothing, gradients) with what the pairs of this scene have.
+  template <class Sweep>
+  void with_gradients(const Sweep& sweep) const {
+    if (settings_.corrected_eulerian)
+      sweep(MeanSmoothing{}, CorrectedGradients<Kernel, D>{corrections_.data(), {settings_.correction_limit}});
+    else
+      with_smoothing(smoothing_, [&](const auto& smoothing) { sweep(smoothing, PlainGradients<D>{}); });
   }
 
   /// The first half of eq. 21 with eq. 32.
@@ -78,22 +110,22 @@ class GodunovSplitScheme final : public GodunovScheme<space, Kernel, Hydrodynami
     const auto scope = profile_.time("assemble");
     auto& p = particles_;
     materials_.for_each_run([&](const Run& run) {
-      run_through(run.range,
-                  AssembleDeviatoric<D>{p.template vectors<D>(Field::position), p.template vectors<D>(Field::velocity),
-                                        p.template symmetrics<D>(Field::deviatoric_stress), p.scalars(Field::mass),
-                                        p.scalars(Field::density), p.scalars(Field::pressure),
-                                        p.scalars(Field::smoothing_length), deviatoric_.data()});
+      run_through(run.range, AssembleDeviatoric<D, Base::plane_stress>{
+                                 p.template vectors<D>(Field::position), p.template vectors<D>(Field::velocity),
+                                 p.template symmetrics<D>(Field::deviatoric_stress), p.scalars(Field::mass),
+                                 p.scalars(Field::density), p.scalars(Field::pressure), this->thickness(),
+                                 p.scalars(Field::smoothing_length), deviatoric_.data()});
     });
     neighbourhood_.mirror().fill(deviatoric_, p.count());
   }
 
   template <int order>
   void sum_deviator() {
-    with_smoothing(smoothing_, [&](const auto& smoothing) {
+    with_gradients([&]<class Smoothing, class Gradients>(const Smoothing& smoothing, const Gradients& gradients) {
       for_each_pair(neighbourhood_.pairs(),
-                    DeviatoricRates<Kernel, std::decay_t<decltype(smoothing)>, D, order>{
+                    DeviatoricRates<Kernel, Smoothing, D, order, Gradients>{
                         deviatoric_.data(), smoothing, particles_.template vectors<D>(Field::acceleration),
-                        power_.data(), records_.data()});
+                        power_.data(), records_.data(), gradients});
     });
   }
 
@@ -119,11 +151,12 @@ class GodunovSplitScheme final : public GodunovScheme<space, Kernel, Hydrodynami
       materials_.evaluate_eos(run, Field::density, Field::specific_internal_energy, Field::half_pressure,
                               Field::half_sound_speed);
       materials_.release(run, Field::deviatoric_stress, Field::half_pressure);
-      run_through(run.range, AssembleHydrodynamic<D>{
-                                 p.template vectors<D>(Field::position), p.template vectors<D>(Field::velocity),
-                                 p.scalars(Field::mass), p.scalars(Field::density), p.scalars(Field::half_pressure),
-                                 p.scalars(Field::half_sound_speed), p.scalars(Field::smoothing_length), this->damage(),
-                                 shock_slope_.at(run.material), records_.data()});
+      run_through(run.range,
+                  AssembleHydrodynamic<D, Base::plane_stress>{
+                      p.template vectors<D>(Field::position), p.template vectors<D>(Field::velocity),
+                      p.scalars(Field::mass), p.scalars(Field::density), p.scalars(Field::half_pressure),
+                      p.scalars(Field::half_sound_speed), this->thickness(), p.scalars(Field::smoothing_length),
+                      this->damage(), shock_slope_.at(run.material), records_.data()});
     });
     neighbourhood_.mirror().fill(records_, p.count());
   }
@@ -131,24 +164,20 @@ class GodunovSplitScheme final : public GodunovScheme<space, Kernel, Hydrodynami
   template <class Solver, class Limiter>
   void sum_contacts(double dt, const Solver& solver, const Limiter& limiter) {
     auto& p = particles_;
-    with_smoothing(smoothing_, [&](const auto& smoothing) {
+    with_gradients([&]<class Smoothing, class Gradients>(const Smoothing& smoothing, const Gradients& gradients) {
       for_each_pair(neighbourhood_.pairs(),
-                    HydrodynamicRates<Kernel, std::decay_t<decltype(smoothing)>, D, Solver, Limiter>{
+                    HydrodynamicRates<Kernel, Smoothing, D, Solver, Limiter, Gradients>{
                         records_.data(), smoothing, solver, limiter, dt, p.template vectors<D>(Field::acceleration),
                         power_.data(), divergence_.data(), p.template tensors<D>(Field::velocity_gradient),
-                        p.scalars(Field::approach_speed)});
+                        p.scalars(Field::approach_speed), gradients});
     });
   }
 
   /// The state at the end of the step; the deviatoric stress and the damage only of `part` of it.
   void advance(double dt, double part) {
     const auto scope = profile_.time("advance");
-    auto& p = particles_;
     materials_.for_each_run([&](const Run& run) {
-      run_through(run.range,
-                  AdvanceGodunov<D>{p.template vectors<D>(Field::acceleration), power_.data(), divergence_.data(), dt,
-                                    p.template vectors<D>(Field::position), p.template vectors<D>(Field::velocity),
-                                    p.scalars(Field::specific_internal_energy), p.scalars(Field::density)});
+      this->advance_motion(run, dt);
       advance_stress(run, part);
       materials_.evaluate_state(run);
     });
@@ -162,13 +191,14 @@ class GodunovSplitScheme final : public GodunovScheme<space, Kernel, Hydrodynami
   /// Strang: the second half of the deviatoric step, its parts in the opposite order.
   void finish_symmetrically(double part) {
     this->search();
+    find_correction();
     assemble_deviatoric();
     {
       const auto scope = profile_.time("deviatoric pairs");
-      with_smoothing(smoothing_, [&](const auto& smoothing) {
-        for_each_pair(neighbourhood_.pairs(),
-                      VelocityGradient<Kernel, std::decay_t<decltype(smoothing)>, D>{
-                          deviatoric_.data(), smoothing, particles_.template tensors<D>(Field::velocity_gradient)});
+      with_gradients([&]<class Smoothing, class Gradients>(const Smoothing& smoothing, const Gradients& gradients) {
+        for_each_pair(neighbourhood_.pairs(), VelocityGradient<Kernel, Smoothing, D, Gradients>{
+                                                  deviatoric_.data(), smoothing,
+                                                  particles_.template tensors<D>(Field::velocity_gradient), gradients});
       });
     }
     materials_.for_each_run([&](const Run& run) {
@@ -184,6 +214,9 @@ class GodunovSplitScheme final : public GodunovScheme<space, Kernel, Hydrodynami
   GodunovSettings godunov_;
   std::map<const Material*, double> shock_slope_;
   std::vector<DeviatoricRecord<D>> deviatoric_;
+  MixedCorrection<Kernel, D> correction_;
+  std::vector<CorrectionRecord<D>> corrections_;
+  std::size_t without_ = 0;  ///< particles that go without correction
 };
 
 /// One space for all kernels; each space is instantiated in a translation unit of its own.

@@ -67,20 +67,21 @@ SchemeSettings read_scheme(Section& root, const Scene& scene) {
   settings.courant = section.quantity("courant", dimension::none, {0.0, 1.0, true}, strong ? 0.2 : 0.25);
   if (strong) settings.smoothing_share = section.quantity("smoothing_share", dimension::none, {0.0, 0.5}, 0.3);
   const bool adaptle = settings.type == "adaptle", eulerian = settings.type == "eulerian";
+  const bool split = settings.type == "godunov-split";
   const bool lagrangian = adaptle || settings.type == "total-lagrangian";
   std::vector<std::string> corrections{lagrangian ? "mixed" : "none"};  // the first one where none is named
   if (lagrangian) corrections.emplace_back("none");
-  if (eulerian) corrections.emplace_back("mixed");
+  if (eulerian || split) corrections.emplace_back("mixed");
   if (adaptle) corrections.emplace_back("reference");  // of what is total-Lagrangian alone
   const auto correction = section.choice("correction", corrections, corrections.front());
   settings.corrected = lagrangian && correction != "none";
-  settings.corrected_eulerian = (eulerian || adaptle) && correction == "mixed";
+  settings.corrected_eulerian = (eulerian || adaptle || split) && correction == "mixed";
   if (settings.corrected_eulerian && section.has("correction_limit"))
     settings.correction_limit = section.quantity("correction_limit", dimension::none, {1.0, limits::infinite, true});
   if (section.has("artificial_stress") && (eulerian || adaptle))
     settings.artificial_stress = read_artificial_stress(section.section("artificial_stress"), scene.space, adaptle);
   if (adaptle) settings.conversion = read_conversion(section);
-  if (settings.type == "godunov-split") settings.godunov = std::make_shared<GodunovSettings>(read_godunov(section));
+  if (split) settings.godunov = std::make_shared<GodunovSettings>(read_godunov(section));
   section.finish();
   settings.kernel = scene.kernel;
   auto smoothing = root.section("smoothing");

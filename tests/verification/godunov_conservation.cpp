@@ -18,8 +18,11 @@ const std::vector<std::string> schemes{
     "scheme = { type = 'godunov-split', order = 2, riemann = { model = 'two-shock' }, limiter = { model = 'van-leer' } "
     "}\n",
     "scheme = { type = 'godunov-split', riemann = { model = 'exact' }, limiter = { model = 'monotonized-central' } }\n",
+    "scheme = { type = 'godunov-split', order = 1, correction = 'mixed' }\n",
+    "scheme = { type = 'godunov-split', correction = 'mixed', riemann = { model = 'two-shock' } }\n",
+    "scheme = { type = 'godunov-split', splitting = 'strang', correction = 'mixed', correction_limit = 10.0 }\n",
 };
-constexpr std::array spaces{Space::line, Space::plane_strain, Space::solid};
+constexpr std::array spaces{Space::line, Space::plane_strain, Space::plane_stress, Space::solid};
 
 /// The two bodies of the impact in a state that is random in everything that a state has.
 Particles random_particles(Space space, unsigned seed) {

@@ -68,15 +68,15 @@ double centre_on_axis(const Particles& p) {
 
 /// The speed of the wave over the exact one.
 template <Space space>
-double relative_speed(const Size& size) {
+double relative_speed(const Size& size,
+                      const std::string& scheme = "viscosity = { model = 'monaghan', alpha = 0.0, beta = 0.0 }\n") {
   constexpr int D = dimensions_of(space);
   const double c = wave_speed(space), travel = size.travel * spacing;
   std::string scene = fmt::format(
-      "time.end = {}\nviscosity = {{ model = 'monaghan', alpha = 0.0, beta = 0.0 }}\nsymmetry.bottom = {{ axis = 'y' "
-      "}}\n"
+      "time.end = {}\n{}symmetry.bottom = {{ axis = 'y' }}\n"
       "[material.metal]\ndensity = {}\neos = {{ model = 'linear', bulk_modulus = {} }}\n"
       "strength = {{ model = 'elastic', shear_modulus = {} }}\n",
-      travel / c, density, bulk, shear);
+      travel / c, scheme, density, bulk, shear);
   if (D == 3) scene = "symmetry.back = { axis = 'z' }\n" + scene;
   auto simulation = test::simulation_of(scene, block_with_wave<space>(size));
   const double before = centre_on_axis<space>(simulation.particles());
@@ -102,6 +102,14 @@ TEST_CASE("Plane wave: in plane stress it runs with the plate's speed", "[wave]"
                                     << " of the longitudinal one");
   CHECK(ratio == Approx(expected).epsilon(5e-3));
   CHECK(ratio == Approx(1.0).epsilon(0.02));
+}
+
+TEST_CASE("Plane wave: in plane stress it does so with the Godunov schemes, which damp it", "[wave]") {
+  for (const std::string scheme : {"type = 'godunov-pm'", "type = 'godunov-split'"}) {
+    const double ratio = relative_speed<Space::plane_stress>({40, 40, 120, 46}, "scheme = { " + scheme + " }\n");
+    WARN(scheme << ": speed/exact " << ratio);
+    CHECK(ratio == Approx(1.0).epsilon(0.02));
+  }
 }
 
 TEST_CASE("Plane wave: in a solid it runs with the longitudinal speed", "[wave]") {
