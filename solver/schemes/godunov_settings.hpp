@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "core/space.hpp"
 #include "physics/limiters/limiter.hpp"
 #include "physics/riemann/riemann.hpp"
 
@@ -16,6 +17,6 @@ struct GodunovSettings {
 };
 
 /// Reads `order`, `splitting`, `riemann` and, of second order, `limiter` of [scheme].
-GodunovSettings read_godunov(Section& scheme);
+GodunovSettings read_godunov(Section& scheme, Space space);
 
 }  // namespace tektite

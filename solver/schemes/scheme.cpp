@@ -81,7 +81,7 @@ SchemeSettings read_scheme(Section& root, const Scene& scene) {
   if (section.has("artificial_stress") && (eulerian || adaptle))
     settings.artificial_stress = read_artificial_stress(section.section("artificial_stress"), scene.space, adaptle);
   if (adaptle) settings.conversion = read_conversion(section);
-  if (split) settings.godunov = std::make_shared<GodunovSettings>(read_godunov(section));
+  if (split) settings.godunov = std::make_shared<GodunovSettings>(read_godunov(section, scene.space));
   section.finish();
   settings.kernel = scene.kernel;
   auto smoothing = root.section("smoothing");

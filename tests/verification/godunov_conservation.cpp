@@ -9,20 +9,31 @@ using namespace tektite;
 
 namespace {
 
-/// The godunov schemes with everything that changes a pair's formulas.
+/// The godunov schemes with everything that changes a pair's formulas, in any space ...
 const std::vector<std::string> schemes{
     "scheme = { type = 'godunov-pm' }\n",
     "scheme = { type = 'godunov-split', order = 1 }\n",
     "scheme = { type = 'godunov-split', order = 2 }\n",
-    "scheme = { type = 'godunov-split', order = 2, splitting = 'strang' }\n",
     "scheme = { type = 'godunov-split', order = 2, riemann = { model = 'two-shock' }, limiter = { model = 'van-leer' } "
     "}\n",
     "scheme = { type = 'godunov-split', riemann = { model = 'exact' }, limiter = { model = 'monotonized-central' } }\n",
     "scheme = { type = 'godunov-split', order = 1, correction = 'mixed' }\n",
-    "scheme = { type = 'godunov-split', correction = 'mixed', riemann = { model = 'two-shock' } }\n",
+    "scheme = { type = 'godunov-split', correction = 'mixed', correction_limit = 10.0, riemann = { model = 'two-shock' "
+    "}, "
+    "limiter = { model = 'van-leer' } }\n",
+};
+/// ... and in those that are not thin.
+const std::vector<std::string> thick{
+    "scheme = { type = 'godunov-split', order = 2, splitting = 'strang' }\n",
     "scheme = { type = 'godunov-split', splitting = 'strang', correction = 'mixed', correction_limit = 10.0 }\n",
 };
 constexpr std::array spaces{Space::line, Space::plane_strain, Space::plane_stress, Space::solid};
+
+std::vector<std::string> schemes_in(Space space) {
+  auto all = schemes;
+  if (space != Space::plane_stress) all.insert(all.end(), thick.begin(), thick.end());
+  return all;
+}
 
 /// The two bodies of the impact in a state that is random in everything that a state has.
 Particles random_particles(Space space, unsigned seed) {
@@ -42,7 +53,7 @@ Particles random_particles(Space space, unsigned seed) {
 
 TEST_CASE("Godunov schemes: a step of a random state conserves energy and momentum to round-off", "[godunov]") {
   for (const auto space : spaces)
-    for (const auto& scheme : schemes)
+    for (const auto& scheme : schemes_in(space))
       for (const unsigned seed : {1u, 2u, 3u}) {
         INFO(name_of(space) << " " << scheme << seed);
         auto simulation = test::simulation_of(scheme + test::impact_scene, random_particles(space, seed));
@@ -60,7 +71,7 @@ TEST_CASE("Godunov schemes: a step of a random state conserves energy and moment
 TEST_CASE("Godunov schemes: so does an impact with plastic flow, to the end", "[godunov]") {
   constexpr int steps = 200;
   for (const auto space : spaces)
-    for (const auto& scheme : schemes) {
+    for (const auto& scheme : schemes_in(space)) {
       INFO(name_of(space) << " " << scheme);
       auto simulation = test::simulation_of(scheme + test::impact_scene, test::impact_particles(space));
       test::take_steps(simulation, steps);
