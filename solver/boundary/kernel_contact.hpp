@@ -102,8 +102,7 @@ class KernelContact {
     for (std::size_t k = 0; k < materials_.size(); ++k) {
       const auto& body = particles_.bodies()[k];
       const double density = materials_[k]->density;
-      const double bulk_modulus = std::visit(
-          [&](const auto& eos) { return density * eos.pressure_by_density(density, 0.0); }, materials_[k]->eos);
+      const double bulk_modulus = bulk_modulus_of(*materials_[k]);
       for (std::size_t i = body.range.begin; i < body.range.end; ++i)
         records_[i] = {Vector<double, D>::zero(), mass[i] / density, bulk_modulus, h[i], body.spacing};
     }

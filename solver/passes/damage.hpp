@@ -32,6 +32,35 @@ struct AdvanceDamage {
   }
 };
 
+/// The same with bulking: what fails in this step gets its ΔP. What strength is left is that at the reference rate.
+template <class Damage, class Strength, int D>
+struct AdvanceDamageAndBulk {
+  AdvanceDamage<Damage, D> advance;
+  Strength strength;
+  double bulk_modulus;       ///< K1, Pa
+  double* bulking_pressure;  ///< ΔP, Pa
+
+  void operator()(std::size_t i) const {
+    const bool intact = advance.damage[i] < 1.0;
+    advance(i);
+    if (!intact || advance.damage[i] < 1.0) return;
+    const double pressure = advance.pressure[i], before = von_mises(advance.stress[i]);
+    double after = 0.0;
+    if constexpr (Strength::kind.crushes)
+      after = std::min(before, strength.flow_stress({0.0, 0.0, 0.0, pressure, 1.0}));
+    const double lost = (before * before - after * after) / (6.0 * strength.shear_modulus);
+    bulking_pressure[i] = advance.model.bulking_pressure(pressure, bulk_modulus, lost);
+  }
+};
+
+/// ΔP stays on top of what the equation of state gives.
+struct AddBulking {
+  const double* bulking_pressure;
+  double* pressure;
+
+  void operator()(std::size_t i) const { pressure[i] += bulking_pressure[i]; }
+};
+
 /// A failed particle bears no shear, unless its strength model tells how much it bears.
 template <int D>
 struct ReleaseShear {

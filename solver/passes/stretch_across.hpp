@@ -17,6 +17,7 @@ struct StretchAcross {
   const double* energy;
   const double* pressure;
   const double* viscous_power;
+  const double* bulking_pressure;  ///< may be null where nothing bulks
   const double* plastic_strain;
   const double* temperature;
   const double* damage;  ///< may be null where nothing fails
@@ -32,9 +33,10 @@ struct StretchAcross {
       state.damage = damage ? damage[i] : 0.0;
     }
     const auto& l = velocity_gradient[i];
+    const double bulking = bulking_pressure ? bulking_pressure[i] : 0.0;
     const double power = contract(stress[i], symmetric_part(l)) - pressure[i] * trace(l);
     const double energy_after = energy[i] + step * (power / density[i] + viscous_power[i]);
-    across_rate[i] = plane_stress_rate(eos, strength, l, density[i], energy_after, step, state);
+    across_rate[i] = plane_stress_rate(eos, strength, l, density[i], energy_after, bulking, step, state);
   }
 };
 

@@ -20,6 +20,12 @@ struct Material {
   double least_pressure = -limits::infinite;  ///< spall: pressure does not fall below it, Pa
 };
 
+/// K1 = ρ0 ∂p/∂ρ at rest, Pa.
+inline double bulk_modulus_of(const Material& material) {
+  return std::visit([rho = material.density](const auto& eos) { return rho * eos.pressure_by_density(rho, 0.0); },
+                    material.eos);
+}
+
 /// Reads every [material.NAME]; throws InputError.
 inline std::map<std::string, Material> read_materials(Section& root) {
   std::map<std::string, Material> materials;

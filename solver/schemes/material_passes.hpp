@@ -51,6 +51,7 @@ class MaterialPasses {
     if (yields) particles_.allocate(Field::plastic_work);
     if (heats) particles_.allocate(Field::temperature);
     if (yields && damages()) particles_.allocate(Field::damage);
+    if (bulks()) particles_.allocate(Field::bulking_pressure);
     for (const auto& run : runs_)
       std::visit(
           [&](const auto& model) {
@@ -74,6 +75,8 @@ class MaterialPasses {
                                      particles_.scalars(pressure), particles_.scalars(sound_speed)});
         },
         run.material->eos);
+    if (bulking_of(run) > 0.0)
+      run_through(run.range, AddBulking{particles_.scalars(Field::bulking_pressure), particles_.scalars(pressure)});
   }
 
   /// Pressure, as far as it is borne, and wave speeds of the present state.
@@ -138,30 +141,41 @@ class MaterialPasses {
 
   void advance_damage(const Run& run, double step) const {
     std::visit(
-        [&](const auto& model) {
+        [&](const auto& model, const auto& strength) {
           using Model = std::decay_t<decltype(model)>;
-          if constexpr (!std::is_same_v<Model, NoDamage>)
-            run_through(run.range,
-                        AdvanceDamage<Model, D>{model, particles_.scalars(Field::plastic_increment),
-                                                particles_.scalars(Field::pressure),
-                                                particles_.symmetrics<D>(Field::deviatoric_stress),
-                                                optional(Field::temperature), step, particles_.scalars(Field::damage)});
+          using StrengthModel = std::decay_t<decltype(strength)>;
+          if constexpr (!std::is_same_v<Model, NoDamage>) {
+            const AdvanceDamage<Model, D> advance{model,
+                                                  particles_.scalars(Field::plastic_increment),
+                                                  particles_.scalars(Field::pressure),
+                                                  particles_.symmetrics<D>(Field::deviatoric_stress),
+                                                  optional(Field::temperature),
+                                                  step,
+                                                  particles_.scalars(Field::damage)};
+            if constexpr (requires { model.bulking; } && StrengthModel::kind.yields) {
+              if (model.bulking > 0.0)
+                return run_through(run.range, AdvanceDamageAndBulk<Model, StrengthModel, D>{
+                                                  advance, strength, bulk_modulus_of(*run.material),
+                                                  particles_.scalars(Field::bulking_pressure)});
+            }
+            run_through(run.range, advance);
+          }
         },
-        run.material->damage);
+        run.material->damage, run.material->strength);
   }
 
   /// Plane stress only: D_zz over the next `step` from the present state.
   void stretch_across(const Run& run, double step) const requires plane_stress {
     std::visit(
         [&](const auto& eos, const auto& strength) {
-          run_through(
-              run.range,
-              StretchAcross<std::decay_t<decltype(eos)>, std::decay_t<decltype(strength)>>{
-                  eos, strength, particles_.tensors<2>(Field::velocity_gradient),
-                  particles_.symmetrics<2>(Field::deviatoric_stress), particles_.scalars(Field::density),
-                  particles_.scalars(Field::specific_internal_energy), particles_.scalars(Field::pressure),
-                  particles_.scalars(Field::viscous_power), optional(Field::plastic_strain),
-                  optional(Field::temperature), optional(Field::damage), step, particles_.scalars(Field::across_rate)});
+          run_through(run.range,
+                      StretchAcross<std::decay_t<decltype(eos)>, std::decay_t<decltype(strength)>>{
+                          eos, strength, particles_.tensors<2>(Field::velocity_gradient),
+                          particles_.symmetrics<2>(Field::deviatoric_stress), particles_.scalars(Field::density),
+                          particles_.scalars(Field::specific_internal_energy), particles_.scalars(Field::pressure),
+                          particles_.scalars(Field::viscous_power), optional(Field::bulking_pressure),
+                          optional(Field::plastic_strain), optional(Field::temperature), optional(Field::damage), step,
+                          particles_.scalars(Field::across_rate)});
         },
         run.material->eos, run.material->strength);
   }
@@ -170,6 +184,19 @@ class MaterialPasses {
   bool damages() const {
     return std::any_of(runs_.begin(), runs_.end(),
                        [](const Run& run) { return !std::holds_alternative<NoDamage>(run.material->damage); });
+  }
+  static double bulking_of(const Run& run) {
+    return std::visit(
+        [](const auto& model) {
+          if constexpr (requires { model.bulking; })
+            return model.bulking;
+          else
+            return 0.0;
+        },
+        run.material->damage);
+  }
+  bool bulks() const {
+    return std::any_of(runs_.begin(), runs_.end(), [](const Run& run) { return bulking_of(run) > 0.0; });
   }
   double* optional(Field field) const { return particles_.has(field) ? particles_.scalars(field) : nullptr; }
   const double* across_rate() const { return plane_stress ? particles_.scalars(Field::across_rate) : nullptr; }

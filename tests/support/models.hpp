@@ -105,8 +105,9 @@ struct Samples<JohnsonCookDamage> {
 };
 template <>
 struct Samples<JohnsonHolmquistDamage> {
-  static constexpr std::array<Texts, 1> all{
-      "tensile_limit = '-750 MPa'\nmost_strain = 0.8\nmost_pressure = '99.75 GPa'"};
+  static constexpr std::array<Texts, 2> all{
+      "tensile_limit = '-750 MPa'\nmost_strain = 0.8\nmost_pressure = '99.75 GPa'",
+      "tensile_limit = '-750 MPa'\nmost_strain = 0.8\nmost_pressure = '99.75 GPa'\nbulking = 0.5"};
 };
 template <>
 struct Samples<MonaghanViscosity> {

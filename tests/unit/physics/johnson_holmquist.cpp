@@ -60,6 +60,43 @@ TEST_CASE("Johnson-Holmquist: at the tensile limit it fails at once, without pla
   }
 }
 
+TEST_CASE("Johnson-Holmquist: bulking keeps a share of the lost elastic energy as that of compression", "[ceramic]") {
+  auto bulking = damage;
+  constexpr double bulk_modulus = 220e9, lost = 1e8;
+  for (const double share : {0.0, 0.5, 1.0})
+    for (const double pressure : {0.0, 1e9, 20e9}) {
+      bulking.bulking = share;
+      const double after = pressure + bulking.bulking_pressure(pressure, bulk_modulus, lost);
+      CHECK((after * after - pressure * pressure) / (2.0 * bulk_modulus) == Approx(share * lost).epsilon(1e-9));
+    }
+  // Nothing bears tension once it has failed, so that there is no energy of it to count from.
+  CHECK(bulking.bulking_pressure(-0.5e9, bulk_modulus, lost) == bulking.bulking_pressure(0.0, bulk_modulus, lost));
+}
+
+TEST_CASE("Johnson-Holmquist: what fails bulks once, and what does not fail never", "[ceramic]") {
+  auto bulking = damage;
+  bulking.bulking = 1.0;
+  const double bulk_modulus = 220e9, pressure = 2e9, equivalent = 5e9;
+  const Symmetric<double, 2> stress{{equivalent / 1.5, -0.5 * equivalent / 1.5, -0.5 * equivalent / 1.5, 0.0}};
+  REQUIRE(von_mises(stress) == Approx(equivalent));
+  double increment = 1e-4, d = 0.0, added = 0.0;
+  const AdvanceDamageAndBulk<JohnsonHolmquistDamage, JohnsonHolmquist, 2> pass{
+      {bulking, &increment, &pressure, &stress, nullptr, 1e-8, &d}, strength, bulk_modulus, &added};
+  pass(0);
+  CHECK(d > 0.0);
+  CHECK(d < 1.0);
+  CHECK(added == 0.0);
+  increment = 1.0;
+  pass(0);
+  CHECK(d == 1.0);
+  // From 5 GPa to the failed strength 0.4 P: ΔU = (σ² - σ_f²)/(6 G) by hand.
+  const double lost = (25e18 - 0.64e18) / (6.0 * 193e9);
+  CHECK(added == Approx(std::sqrt(4e18 + 2.0 * bulk_modulus * lost) - 2e9));
+  const double once = added;
+  pass(0);
+  CHECK(added == once);
+}
+
 TEST_CASE("Johnson-Holmquist: what fails drops to its failed strength in the next step", "[ceramic]") {
   test::Random random(9);
   auto state = test::start_of<2>(strength);

@@ -24,7 +24,7 @@ struct Element {
 template <class EosModel, class StrengthModel>
 void step(const EosModel& eos, const StrengthModel& strength, const Tensor<double, 2>& l, double energy,
           Element& element) {
-  const double across = plane_stress_rate(eos, strength, l, element.density, energy, dt, element.state);
+  const double across = plane_stress_rate(eos, strength, l, element.density, energy, 0.0, dt, element.state);
   advance_deviator(strength, l, across, element.density, dt, element.state);
   element.density *= std::exp(-dt * (trace(l) + across));
   element.thickness *= std::exp(dt * across);
