@@ -90,15 +90,19 @@ std::vector<std::string> lines_of(std::FILE* file) {
   return lines;
 }
 
-}  // namespace
+/// What a child that draws has told, and what it complained of where it ended early.
+struct Told {
+  std::vector<std::string> lines;
+  std::optional<std::string> complaint;
+};
 
-std::vector<std::string> draw_pictures(const std::vector<Picture>& pictures, const Drawing& drawing) {
+Told draw_in_child(const std::vector<Picture>& pictures, const Drawing& drawing) {
   const File report(std::tmpfile(), std::fclose);
   const File complaints(std::tmpfile(), std::fclose);
-  if (!report || !complaints) return {"warning: no pictures: no temporary file can be made"};
+  if (!report || !complaints) return {{"warning: no pictures: no temporary file can be made"}, std::nullopt};
   std::cout.flush();
   const auto child = fork();
-  if (child < 0) return {"warning: no pictures: no process can be started"};
+  if (child < 0) return {{"warning: no pictures: no process can be started"}, std::nullopt};
   if (child == 0) {
     dup2(fileno(complaints.get()), STDERR_FILENO);
     draw_all(pictures, drawing, report.get());
@@ -106,12 +110,24 @@ std::vector<std::string> draw_pictures(const std::vector<Picture>& pictures, con
   }
   int status = 0;
   waitpid(child, &status, 0);
-  auto lines = lines_of(report.get());
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return lines;
+  Told told{lines_of(report.get()), std::nullopt};
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return told;
   const auto said = lines_of(complaints.get());
-  lines.push_back("warning: the drawing ended early" + (said.empty() ? std::string() : ": " + said.front()) +
-                  "; numbers and ParaView files are written");
-  return lines;
+  told.complaint = said.empty() ? std::string() : ": " + said.front();
+  return told;
+}
+
+}  // namespace
+
+std::vector<std::string> draw_pictures(const std::vector<Picture>& pictures, const Drawing& drawing) {
+  // Where several programs draw at once, one may lose its X server to another's that ends: a second try finds a new
+  // one.
+  auto told = draw_in_child(pictures, drawing);
+  if (told.complaint) told = draw_in_child(pictures, drawing);
+  if (told.complaint)
+    told.lines.push_back("warning: the drawing ended early" + *told.complaint +
+                         "; numbers and ParaView files are written");
+  return told.lines;
 }
 
 }  // namespace tektite
