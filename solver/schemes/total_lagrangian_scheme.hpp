@@ -8,8 +8,6 @@
 #include "boundary/mirror.hpp"
 #include "boundary/stop_at_anvil.hpp"
 #include "neighbours/order.hpp"
-#include "neighbours/reference_pairs.hpp"
-#include "parallel/for_each_pair.hpp"
 #include "passes/interface_stress.hpp"
 #include "passes/lagrangian_motion.hpp"
 #include "passes/lagrangian_sums.hpp"
@@ -17,10 +15,10 @@
 #include "schemes/eulerian_part.hpp"
 #include "schemes/hold_still.hpp"
 #include "schemes/lagrangian_rings.hpp"
-#include "schemes/lattice_bodies.hpp"
 #include "schemes/make_scheme_in.hpp"
 #include "schemes/material_passes.hpp"
 #include "schemes/mixed_correction.hpp"
+#include "schemes/reference_neighbours.hpp"
 #include "schemes/scheme.hpp"
 #include "schemes/state_sums.hpp"
 
@@ -35,6 +33,7 @@ template <Space space, class Kernel>
 class TotalLagrangianScheme final : public Scheme {
   static constexpr int D = dimensions_of(space);
   static constexpr bool rings = hoops_of(space) > 0;
+  using Neighbours = ReferenceNeighbours<Kernel, D>;
 
  public:
   explicit TotalLagrangianScheme(const SchemeSetup& setup)
@@ -107,10 +106,10 @@ class TotalLagrangianScheme final : public Scheme {
   }
 
   std::size_t memory() const override {
-    return pairs_.memory() + off_lattice_.memory() + lattices_.memory() + (contact_ ? contact_->memory() : 0) +
-           (eulerian_ ? eulerian_->memory() : 0) + reference_.capacity() * sizeof(ReferenceRecord<D>) +
-           motion_.capacity() * sizeof(MotionRecord<D>) + stress_.capacity() * sizeof(StressRecord<D>) +
-           2 * deformation_.capacity() * sizeof(Tensor<double, D>) + rings_.memory();
+    return neighbours_.memory() + (contact_ ? contact_->memory() : 0) + (eulerian_ ? eulerian_->memory() : 0) +
+           reference_.capacity() * sizeof(ReferenceRecord<D>) + motion_.capacity() * sizeof(MotionRecord<D>) +
+           stress_.capacity() * sizeof(StressRecord<D>) + 2 * deformation_.capacity() * sizeof(Tensor<double, D>) +
+           rings_.memory();
   }
 
  private:
@@ -123,8 +122,9 @@ class TotalLagrangianScheme final : public Scheme {
       particles_.allocate(field);
     if constexpr (rings) particles_.allocate(Field::across_rate);
     materials_.allocate_scratch();
-    const ReferencePlaces<D> places(particles_, mirror_, support());
-    if constexpr (!rings) lattices_.find(particles_, places.x, places.body, support(), settings_.corrected);
+    const bool all_listed = settings_.corrected || eulerian_ || rings;
+    neighbours_.find(particles_, mirror_, support(), !rings, settings_.corrected,
+                     all_listed ? Neighbours::Lists::all : Neighbours::Lists::off_lattice);
     const auto count = particles_.count(), all = count + mirror_.images();
     reference_.resize(all);
     motion_.resize(all);
@@ -140,19 +140,14 @@ class TotalLagrangianScheme final : public Scheme {
     }
     if constexpr (rings) rings_.prepare(particles_, reference_);
     note_kernel_types();
-    const bool all_pairs = settings_.corrected || eulerian_ || rings;
-    if (all_pairs) pairs_ = reference_pairs<D>(places, count, support());
-    if constexpr (rings) rings_.find_offsets(pairs_, mirror_, reference_);
-    if (settings_.corrected) uncorrected_ = MixedCorrection<Kernel, D>().find(pairs_, mirror_, reference_, count);
-    lattices_.fill(reference_);
-    if (eulerian_) {
+    if constexpr (rings) rings_.find_offsets(neighbours_.pairs(), mirror_, reference_);
+    if (settings_.corrected)
+      uncorrected_ = MixedCorrection<Kernel, D>().find(neighbours_.pairs(), mirror_, reference_, count);
+    neighbours_.fill(reference_);
+    if (eulerian_)
       drop_pairs();
-    } else if (lattices_.any()) {
-      pairs_ = reference_pairs<D>(places, count, support(), lattices_.lists());
-      pairs_.drop_runs(lattices_.lists());
-    } else if (!all_pairs) {
-      pairs_ = reference_pairs<D>(places, count, support());
-    }
+    else
+      neighbours_.drop_lists_of_lattices();
   }
 
   /// Copies who is Eulerian into the records.
@@ -166,35 +161,22 @@ class TotalLagrangianScheme final : public Scheme {
 
   /// Drops the reference neighbours of Eulerian particles that have no total-Lagrangian one among them any more.
   void drop_pairs() {
-    const auto count = particles_.count();
-    std::vector<std::uint8_t> kept(count);
-    pairs_.keep([&](std::size_t i, std::span<const std::uint32_t> neighbours) {
-      const auto lagrangian = [this](std::size_t j) { return reference_[j].lagrangian != 0.0; };
-      return kept[i] = lagrangian(i) || std::ranges::any_of(neighbours, lagrangian);
-    });
-    if (!lattices_.any()) return;
-    lattices_.visit([&](std::size_t i) { return i < count && kept[i]; });
-    off_lattice_ = pairs_;
-    off_lattice_.keep([&](std::size_t i, std::span<const std::uint32_t>) { return lattices_.lists()[i] != 0; });
-    off_lattice_.drop_runs(lattices_.lists());
+    neighbours_.keep([this](std::size_t i) { return reference_[i].lagrangian != 0.0; });
   }
 
   /// Runs the pass that make.operator()<corrected>(records) gives over all pairs of the reference configuration.
   template <class Make>
   void sweep(const Make& make) const {
-    settings_.corrected ? sweep_as<true>(make) : sweep_as<false>(make);
-  }
-  template <bool corrected, class Make>
-  void sweep_as(const Make& make) const {
-    const auto pass = [&](const auto& records) { return make.template operator()<corrected>(records); };
-    for_each_pair(eulerian_ && lattices_.any() ? off_lattice_ : pairs_,
-                  pass(ListedRecords<D>{reference_.data(), motion_.data(), stress_.data()}));
-    lattices_.for_each_pair(pass, particles_.count());
+    const ListedRecords<D> records{reference_.data(), motion_.data(), stress_.data()};
+    if (settings_.corrected)
+      neighbours_.sweep(records, [&](const auto& r) { return make.template operator()<true>(r); });
+    else
+      neighbours_.sweep(records, [&](const auto& r) { return make.template operator()<false>(r); });
   }
 
   void convert() {
     const auto scope = profile_.time("conversion");
-    if (!converter_.convert(particles_, pairs_, mirror_, reference_, deformation_, stress_)) return;
+    if (!converter_.convert(particles_, neighbours_.pairs(), mirror_, reference_, deformation_, stress_)) return;
     note_kernel_types();
     drop_pairs();
     eulerian_->renew();
@@ -211,7 +193,7 @@ class TotalLagrangianScheme final : public Scheme {
                                    p.template vectors<D>(Field::acceleration), half_step, motion_.data()});
       });
       mirror_.fill(motion_, p.count());
-      lattices_.fill(motion_);
+      neighbours_.fill(motion_);
       leave_failed_out();
     }
     {
@@ -220,13 +202,14 @@ class TotalLagrangianScheme final : public Scheme {
         return DeformationSums<Kernel, D, corrected, Records>{{records}, deformation_.data(), rate_.data()};
       });
       if constexpr (rings)
-        rings_.stretch(pairs_, mirror_, reference_, motion_, deformation_, rate_, p.scalars(Field::across_rate));
+        rings_.stretch(neighbours_.pairs(), mirror_, reference_, motion_, deformation_, rate_,
+                       p.scalars(Field::across_rate));
     }
     {
       const auto scope = profile_.time("stress");
       materials_.for_each_run([&](const auto& run) { evaluate_stress(run, half_step); });
       mirror_.fill(stress_, p.count());
-      lattices_.fill(stress_);
+      neighbours_.fill(stress_);
     }
     const auto scope = profile_.time("forces");
     sweep([this, &p]<bool corrected, class Records>(const Records& records) {
@@ -241,7 +224,7 @@ class TotalLagrangianScheme final : public Scheme {
           p.scalars(Field::viscous_signal)};
     });
     if constexpr (rings)
-      rings_.add_forces(pairs_, mirror_, reference_, p.scalars(Field::mass),
+      rings_.add_forces(neighbours_.pairs(), mirror_, reference_, p.scalars(Field::mass),
                         p.template vectors<D>(Field::acceleration));
     if (eulerian_) {
       add_interface_stress();
@@ -269,10 +252,10 @@ class TotalLagrangianScheme final : public Scheme {
           artificial_[i].spacing = body.spacing;
         });
       mirror_.fill(artificial_, p.count());
-      for_each_pair(
-          pairs_, InterfaceStress<Kernel>{reference_.data(), motion_.data(), stress_.data(), artificial_.data(),
-                                          *settings, p.scalars(Field::mass), p.template vectors<D>(Field::acceleration),
-                                          p.scalars(Field::viscous_power)});
+      for_each_pair(neighbours_.pairs(), InterfaceStress<Kernel>{reference_.data(), motion_.data(), stress_.data(),
+                                                                 artificial_.data(), *settings, p.scalars(Field::mass),
+                                                                 p.template vectors<D>(Field::acceleration),
+                                                                 p.scalars(Field::viscous_power)});
     }
   }
 
@@ -288,7 +271,7 @@ class TotalLagrangianScheme final : public Scheme {
     };
     if (!reduce(particles_.count(), false, leave, [](bool& whole, bool part) { whole = whole || part; })) return;
     mirror_.fill(reference_, particles_.count());
-    lattices_.fill(reference_);
+    neighbours_.fill(reference_);
   }
 
   using Run = typename MaterialPasses<D, rings>::Run;
@@ -343,9 +326,7 @@ class TotalLagrangianScheme final : public Scheme {
   std::optional<KernelContact<D, Kernel>> contact_;
   StopAtAnvil<D> anvil_;
   LagrangianRings<Kernel> rings_;  ///< of an axisymmetric space
-  LatticeBodies<Kernel, D> lattices_;
-  PairList pairs_;        ///< of all particles for the scheme adaptle, otherwise of those on no lattice
-  PairList off_lattice_;  ///< of those on no lattice for the scheme adaptle
+  Neighbours neighbours_;
   std::size_t uncorrected_ = 0;
   std::vector<ReferenceRecord<D>> reference_;
   std::vector<MotionRecord<D>> motion_;

@@ -28,6 +28,24 @@ struct Lattice {
   double ratio = smoothing_ratio;
 };
 
+/// A disc or ball of `metal` about the origin, with particles within this many spacings; the lattice has one there, or
+/// is centred about it, as the whole or half number of spacings says.
+inline Lattice ball(int dimensions, double spacing, double radius) {
+  const auto d = static_cast<std::size_t>(dimensions);
+  const double largest = radius * spacing;
+  return {"body",
+          "metal",
+          spacing,
+          std::vector<double>(d, -largest),
+          std::vector<int>(d, static_cast<int>(2.0 * radius) + 1),
+          std::vector<double>(d, 0.0),
+          [=](const double* x) {
+            double square = 0.0;
+            for (std::size_t k = 0; k < d; ++k) square += x[k] * x[k];
+            return square <= largest * largest;
+          }};
+}
+
 namespace lattice {
 
 inline std::vector<std::vector<double>> places(const Lattice& lattice) {

@@ -45,17 +45,9 @@ Momenta momenta_of(const Particles& p) {
 template <Space space>
 std::pair<double, double> drift(const std::string& scheme) {
   constexpr int D = dimensions_of(space);
-  constexpr int side = D == 3 ? 9 : 20;
-  const double radius = 0.5 * (side - 1) * spacing;
-  Particles p = test::particles_on(space,
-                                   {{"body", "metal", spacing, std::vector<double>(D, -radius),
-                                     std::vector<int>(D, side), std::vector<double>(D, 0.0),
-                                     [&](const double* x) {
-                                       double square = 0.0;
-                                       for (int k = 0; k < D; ++k) square += x[k] * x[k];
-                                       return square <= radius * radius;
-                                     }}},
-                                   density);
+  constexpr double spacings = D == 3 ? 4.0 : 9.5;
+  const double radius = spacings * spacing;
+  Particles p = test::particles_on(space, {test::ball(D, spacing, spacings)}, density);
   std::mt19937 generator(D);
   std::uniform_real_distribution<double> jitter(-0.1 * spacing, 0.1 * spacing);
   const Eigen::Vector3d axis = D == 3 ? Eigen::Vector3d(1.0, 2.0, 3.0).normalized() : Eigen::Vector3d::UnitZ();

@@ -73,17 +73,8 @@ std::pair<double, double> fitted_turn(const Eigen::Matrix3d& start, const Eigen:
 template <Space space>
 Result spun(const Spin& spin) {
   constexpr int D = dimensions_of(space);
-  const int side = 2 * static_cast<int>(spin.radius) + 1;
   const double radius = spin.radius * spacing, omega = rim_speed / radius;
-  Particles p = test::particles_on(space,
-                                   {{"body", "metal", spacing, std::vector<double>(D, -radius),
-                                     std::vector<int>(D, side), std::vector<double>(D, 0.0),
-                                     [&](const double* x) {
-                                       double square = 0.0;
-                                       for (int k = 0; k < D; ++k) square += x[k] * x[k];
-                                       return square <= radius * radius;
-                                     }}},
-                                   density);
+  Particles p = test::particles_on(space, {test::ball(D, spacing, spin.radius)}, density);
   p.allocate(Field::deviatoric_stress);
   auto carried = Symmetric<double, D>::zero();
   for (int k = 0; k < carried.size; ++k) carried.c[k] = stress * (k % 2 == 0 ? 1.0 + k : -0.5 * k);
