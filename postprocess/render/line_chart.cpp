@@ -1,0 +1,73 @@
+#include "postprocess/render/line_chart.hpp"
+
+#include <vtkAxis.h>
+#include <vtkChartLegend.h>
+#include <vtkChartXY.h>
+#include <vtkContextScene.h>
+#include <vtkContextView.h>
+#include <vtkDoubleArray.h>
+#include <vtkPen.h>
+#include <vtkPlotPoints.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+#include <vtkTable.h>
+#include <vtkTextProperty.h>
+
+#include "postprocess/render/colours.hpp"
+#include "postprocess/render/image.hpp"
+
+namespace tektite {
+namespace {
+
+vtkSmartPointer<vtkDoubleArray> column(const std::vector<double>& values, const std::string& name) {
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name.c_str());
+  for (const double value : values) array->InsertNextValue(value);
+  return array;
+}
+
+void style_axis(vtkAxis* axis, const std::string& title) {
+  axis->SetTitle(title.c_str());
+  axis->GetTitleProperties()->SetFontSize(26);
+  axis->GetTitleProperties()->SetBold(0);
+  axis->GetLabelProperties()->SetFontSize(22);
+  axis->GetGridPen()->SetColor(225, 225, 225);
+}
+
+}  // namespace
+
+void draw_line_chart(const LineChart& chart, const std::string& path) {
+  const auto view = vtkSmartPointer<vtkContextView>::New();
+  view->GetRenderWindow()->SetOffScreenRendering(1);
+  view->GetRenderWindow()->SetSize(chart.width, chart.height);
+  view->GetRenderWindow()->SetMultiSamples(8);
+  view->GetRenderer()->SetBackground(1.0, 1.0, 1.0);
+  const auto drawn = vtkSmartPointer<vtkChartXY>::New();
+  view->GetScene()->AddItem(drawn);
+  drawn->SetTitle(chart.title);
+  drawn->GetTitleProperties()->SetFontSize(32);
+  drawn->SetShowLegend(true);
+  drawn->GetLegend()->SetLabelSize(24);
+  drawn->GetLegend()->SetInline(false);  // beside the lines, not over them
+  style_axis(drawn->GetAxis(vtkAxis::BOTTOM), chart.x_title);
+  style_axis(drawn->GetAxis(vtkAxis::LEFT), chart.y_title);
+  for (std::size_t k = 0; k < chart.lines.size(); ++k) {
+    const auto& line = chart.lines[k];
+    const auto table = vtkSmartPointer<vtkTable>::New();
+    table->AddColumn(column(line.x, chart.x_title));
+    table->AddColumn(column(line.y, line.name));
+    auto* plot = drawn->AddPlot(line.points ? vtkChart::POINTS : vtkChart::LINE);
+    plot->SetInputData(table, 0, 1);
+    const auto& [red, green, blue] = distinct_colour(k);
+    plot->SetColor(red, green, blue);
+    plot->SetWidth(3.0F);
+    if (auto* points = vtkPlotPoints::SafeDownCast(plot); points && line.points) {
+      points->SetMarkerStyle(vtkPlotPoints::CIRCLE);
+      points->SetMarkerSize(8.0F);
+    }
+  }
+  write_png(view->GetRenderWindow(), path);
+}
+
+}  // namespace tektite
