@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/error.hpp"
 #include "postprocess/measure/measure.hpp"
@@ -29,15 +30,20 @@ double blurred_time(const Event& event, const std::string& body_name) {
   return sum > 0.0 ? 0.5 * body.spacing * static_cast<double>(body.range.size()) / sum : 0.0;
 }
 
-/// The largest of sign * pressure. Its uncertainty is half of what the probe's value changes between the peak and the
-/// samples around it, as far as the nearest sample on either side and the time that blurs the probe's place reach.
-Measured peak(const Event& event, const std::string& probe, const std::string& body, double sign) {
+/// The largest of sign * pressure from the time `from` on, which counts from the first contact. Its uncertainty is half
+/// of what the probe's value changes between the peak and the samples around it, as far as the nearest sample on either
+/// side and the time that blurs the probe's place reach.
+Measured peak(const Event& event, const std::string& probe, const std::string& body, double from, double sign) {
   if (!event.history) throw RunError("there is no history.csv, which holds the probes");
   const auto& time = event.history->column("time");
   const auto& pressure = event.history->column(probe + ".pressure");
   if (pressure.empty()) throw RunError(fmt::format("{} has no rows", event.history->path()));
-  std::size_t at = 0;
-  for (std::size_t k = 1; k < pressure.size(); ++k)
+  const double start = from + event.contact_time.value_or(0.0);
+  const auto first = static_cast<std::size_t>(std::ranges::lower_bound(time, start) - time.begin());
+  if (first == time.size())
+    throw RunError(fmt::format("the run ends before the {} s from which it is looked for", start));
+  std::size_t at = first;
+  for (std::size_t k = first; k < pressure.size(); ++k)
     if (sign * pressure[k] > sign * pressure[at]) at = k;
   const double blur = blurred_time(event, body);
   double least = sign * pressure[at];
@@ -51,7 +57,9 @@ Measured peak(const Event& event, const std::string& probe, const std::string& b
 Measure read_peak(Section& section, const Declared& declared, double sign) {
   const auto probe = read_probe(section, declared);
   const auto body = declared.body_of_probe.at(probe);
-  return [=](const Event& event) { return peak(event, probe, body, sign); };
+  const double from = section.has("from") ? section.quantity("from", dimension::time, limits::not_negative)
+                                          : -std::numeric_limits<double>::infinity();
+  return [=](const Event& event) { return peak(event, probe, body, from, sign); };
 }
 
 }  // namespace

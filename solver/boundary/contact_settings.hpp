@@ -11,10 +11,12 @@ namespace tektite {
 struct ContactSettings {
   double factor = 0.0;
   double exponent = 0.0;  ///< n_ca
+  bool itself = false;    ///< also between pieces of one body
 };
 
 /// Reads [contact]; nothing where the scene has none: then bodies act on each other through the sums of the scheme.
-inline std::optional<ContactSettings> read_contact(Section& root) {
+/// `lagrangian` says whether bodies have total-Lagrangian kernels, which do not see their own pieces come near.
+inline std::optional<ContactSettings> read_contact(Section& root, bool lagrangian) {
   if (!root.has("contact")) return std::nullopt;
   auto section = root.section("contact");
   const std::array<std::string, 1> models{"kernel-penalty"};
@@ -22,6 +24,10 @@ inline std::optional<ContactSettings> read_contact(Section& root) {
   ContactSettings settings;
   settings.factor = section.quantity("factor", dimension::none, limits::positive, 0.02);
   settings.exponent = section.quantity("exponent", dimension::none, {2.0, 10.0}, 4.0);
+  settings.itself = section.flag("itself", false);
+  if (settings.itself && !lagrangian)
+    throw section.fault("itself", "Eulerian kernels see pieces of their own body in the sums of the scheme",
+                        "false, or one of the schemes total-lagrangian and adaptle");
   section.finish();
   return settings;
 }

@@ -27,7 +27,8 @@ class KernelContact {
       : particles_(particles),
         settings_(settings),
         neighbourhood_(particles, support, std::move(planes),
-                       {Pairing::across_bodies, false, Field::contact_search_position, Listed::all, "contact"}) {
+                       {settings.itself ? Pairing::all : Pairing::across_bodies, false, Field::contact_search_position,
+                        Listed::all, settings.itself, "contact"}) {
     for (const auto& body : particles.bodies()) materials_.push_back(&materials.at(body.material));
   }
 
@@ -52,6 +53,11 @@ class KernelContact {
       neighbourhood_.prepare(dt);
       records_.resize(particles_.count() + neighbourhood_.mirror().images());
     }
+  }
+
+  /// To be called when particles have turned Eulerian: pieces of one body then see each other in the sums.
+  void note_conversion() {
+    if (settings_.itself) neighbourhood_.list();
   }
 
   /// Adds the forces at the places that place(i) gives to the accelerations.

@@ -123,13 +123,38 @@ void Neighbourhood<D>::list() {
   const auto build = [&](const std::vector<std::uint8_t>& listed) {
     pairs_.build<D>(grid, places_, particles_.count(), reach_, search_.pairing, body, listed);
   };
-  if (search_.listed == Listed::all) return build({});
+  if (search_.listed == Listed::all) {
+    build({});
+    if (search_.apart) keep_apart(body);
+    return;
+  }
   auto listed = eulerian_of_each(particles_);
   build(listed);
   if (search_.listed == Listed::eulerian) return;
   for (const auto& block : pairs_.blocks())
     for (const auto j : block.neighbours) listed[mirror_.source_of(j, particles_.count())] = 1;
   build(listed);
+}
+
+/// Drops the pairs of one body that a sum sees: of which one is Eulerian, and the neighbours of the reference
+/// configuration.
+template <int D>
+void Neighbourhood<D>::keep_apart(const std::vector<std::uint32_t>& body) {
+  struct Reference {
+    Vector<double, D> x;
+    void mirror(int axis, double at) { x[axis] = 2.0 * at - x[axis]; }
+  };
+  std::vector<Reference> reference(body.size());
+  auto eulerian = eulerian_of_each(particles_);
+  const auto* own = particles_.vectors<D>(Field::reference_position);
+  for (std::size_t i = 0; i < particles_.count(); ++i) reference[i].x = own[i];
+  mirror_.fill(reference, particles_.count());
+  mirror_.repeat(eulerian);
+  pairs_.keep_pairs([&](std::uint32_t i, std::uint32_t j) {
+    if (body[i] != body[j]) return true;
+    const auto distance = reference[i].x - reference[j].x;
+    return eulerian[i] == 0 && eulerian[j] == 0 && dot(distance, distance) >= support_ * support_;
+  });
 }
 
 template <int D>

@@ -25,6 +25,7 @@ struct Search {
   bool orders = true;                        ///< keeps the particles ordered in space
   Field positions = Field::search_position;  ///< where it keeps the places of the last search
   Listed listed = Listed::all;               ///< whose neighbours it lists
+  bool apart = false;                        ///< of one body, only pairs that are no neighbours in any sum (list())
   std::string name = "search";               ///< under which it is saved
 };
 
@@ -38,6 +39,8 @@ class Neighbourhood {
   bool prepare(double dt);
   /// Makes the list anew, whatever has moved. True where the particles were ordered anew.
   bool renew(double dt);
+  /// Lists again from the places of the last search, after particles have got another kind of kernel.
+  void list();
   /// Puts what belongs to the present list, beside the particles, into `state`; restore() makes the same list from
   /// both.
   void save(std::map<std::string, double>& state) const;
@@ -58,7 +61,7 @@ class Neighbourhood {
   Approach approach(double dt);
   double diagonal(const typename DisplacementBox<D>::Box& box) const;
   void find_regions();
-  void list();
+  void keep_apart(const std::vector<std::uint32_t>& body);
 
   Particles& particles_;
   double support_;

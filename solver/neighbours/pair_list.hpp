@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/pack.hpp"
 #include "core/tensor.hpp"
 #include "neighbours/cell_grid.hpp"
 #include "parallel/for_each.hpp"
@@ -44,6 +45,25 @@ class PairList {
         if (!wanted(block.begin + k, std::span<const std::uint32_t>(list))) continue;
         std::copy(list.begin(), list.end(), block.neighbours.begin() + end);
         end += static_cast<std::uint32_t>(list.size());
+      }
+      block.first.back() = end;
+      block.neighbours.resize(end);
+    });
+  }
+
+  /// Keeps of each list the neighbours j of which wanted(i, j) says yes, filled up again to whole packs.
+  template <class Wanted>
+  void keep_pairs(const Wanted& wanted) {
+    for_each(blocks_.size(), [&](std::size_t b) {
+      auto& block = blocks_[b];
+      std::uint32_t end = 0;
+      for (std::size_t k = 0; k + 1 < block.first.size(); ++k) {
+        const auto i = static_cast<std::uint32_t>(block.begin + k);
+        const auto begin = block.first[k], last = block.first[k + 1];
+        block.first[k] = end;
+        for (auto n = begin; n < last; ++n)
+          if (const auto j = block.neighbours[n]; j != i && wanted(i, j)) block.neighbours[end++] = j;
+        while (end % pack_width != 0) block.neighbours[end++] = i;
       }
       block.first.back() = end;
       block.neighbours.resize(end);

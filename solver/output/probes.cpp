@@ -32,6 +32,10 @@ Probes::Probes(const std::vector<Probe>& probes, const Particles& particles) {
     if (body == particles.bodies().end())
       throw InputError({{}, "probe." + probe.name, probe.body, "the particles hold no such body", {}});
     Followed followed{probe, 0, 0};
+    if (probe.shown != Shown::particle) {
+      followed_.push_back(followed);
+      continue;
+    }
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = body->range.begin; i < body->range.end; ++i) {
       double square = 0.0;
@@ -62,6 +66,12 @@ void Probes::save(std::map<std::string, double>& state) const {
   for (const auto& followed : followed_) state["probe." + followed.probe.name] = static_cast<double>(followed.id);
 }
 
+double Probes::extreme(const Probe& probe, Field field, const Particles& particles) {
+  const auto body = std::ranges::find(particles.bodies(), probe.body, &Body::name);
+  const auto values = particles.reals(field).subspan(body->range.begin, body->range.size());
+  return probe.shown == Shown::least ? std::ranges::min(values) : std::ranges::max(values);
+}
+
 void Probes::find(Followed& followed, const Particles& particles) {
   const auto id = particles.integers(Field::id);
   if (followed.index < id.size() && id[followed.index] == followed.id) return;
@@ -83,6 +93,11 @@ std::vector<std::string> Probes::columns(const Particles& particles) const {
 std::vector<double> Probes::values(const Particles& particles) {
   std::vector<double> values;
   for (auto& followed : followed_) {
+    if (followed.probe.shown != Shown::particle) {
+      for (const auto field : followed.probe.fields)
+        values.push_back(particles.has(field) ? extreme(followed.probe, field, particles) : 0.0);
+      continue;
+    }
     find(followed, particles);
     for (const auto field : followed.probe.fields) {
       const auto width = static_cast<std::size_t>(particles.components(field));

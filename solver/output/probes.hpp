@@ -9,7 +9,8 @@
 
 namespace tektite {
 
-/// Follows material points: each probe stays with the particle that was nearest to its place at the start.
+/// Follows material points: each probe stays with the particle that was nearest to its place at the start. Or the
+/// extremes of a body, wherever they are.
 class Probes {
  public:
   /// At the start of a run; throws InputError where a probe names no body of the file.
@@ -29,6 +30,7 @@ class Probes {
     std::size_t index = 0;  ///< where the particle was last; checked at each use, because particles are sorted
   };
   static void find(Followed& followed, const Particles& particles);
+  static double extreme(const Probe& probe, Field field, const Particles& particles);
   std::vector<Followed> followed_;
 };
 

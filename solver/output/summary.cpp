@@ -14,6 +14,9 @@
 namespace tektite {
 namespace {
 
+/// Of the energy: the published runs of these schemes stay below it (README.md of the examples).
+constexpr double notable_drift = 0.01;
+
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 std::size_t peak_memory() {
@@ -80,6 +83,12 @@ void log_summary(const RunSummary& s, const Profile& profile, spdlog::logger& lo
   for (const auto& [name, seconds] : profile.seconds()) all += seconds;
   for (const auto& [name, seconds] : profile.seconds())
     log.info("  {:<12} {:7.2f} s  {:4.1f} %", name, seconds, 100.0 * seconds / all);
+  if (std::abs(s.energy_drift) > notable_drift)
+    log.warn(
+        "warning: energy-drift: the scheme has made up or lost {:.1f} % of the energy, and what hangs on it is as "
+        "wrong; "
+        "a smaller scheme.courant, a finer spacing or another scheme may mend it",
+        100.0 * s.energy_drift);
 }
 
 void print_forecast(Simulation& simulation) {

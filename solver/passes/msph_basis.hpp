@@ -36,8 +36,7 @@ template <int D>
 struct MsphWeights {
   template <class T>
   static TaylorTerms<T, D> at(const Vector<T, D>& xi) {
-    using std::exp;
-    const T g = exp(-dot(xi, xi));
+    const T g = exponential(-dot(xi, xi));
     TaylorTerms<T, D> phi;
     int n = 0;
     phi[n++] = g - T(TruncatedGaussian::cut);
@@ -95,7 +94,9 @@ MsphCoefficients<D> invert_moments(const Eigen::Matrix<double, taylor_terms<D>, 
   for (int r = 0; r < N; ++r) result.row[r] = TaylorTerms<double, D>::zero();
   const auto attempt = [&]<int size>(std::integral_constant<int, size>) {
     const Eigen::Matrix<double, size, size> block = b.template topLeftCorner<size, size>();
-    const Eigen::Matrix<double, size, size> inverse = block.partialPivLu().inverse();
+    const auto factors = block.partialPivLu();
+    Eigen::Matrix<double, size, size> inverse;  // column by column, which Eigen unrolls
+    for (int c = 0; c < size; ++c) inverse.col(c) = factors.solve(Eigen::Matrix<double, size, 1>::Unit(c));
     const double condition =
         block.cwiseAbs().colwise().sum().maxCoeff() * inverse.cwiseAbs().colwise().sum().maxCoeff();
     if (!(condition < largest_condition)) return false;

@@ -9,21 +9,31 @@
 namespace tektite {
 namespace {
 
-std::vector<std::string> field_names() {
+/// Fields that a probe may show; of those only the numbers where it asks for the least or the largest.
+std::vector<std::string> field_names(bool numbers_alone) {
   std::vector<std::string> names;
   for (const auto& row : field_table)
-    if (row.keep == Keep::result && row.rank != Rank::integer) names.emplace_back(row.name);
+    if (row.keep == Keep::result && row.rank != Rank::integer && (!numbers_alone || row.rank == Rank::scalar))
+      names.emplace_back(row.name);
   return names;
 }
 
 std::vector<Probe> read_probes(Section& root, const Scene& scene) {
   std::vector<Probe> probes;
   for (auto& [name, section] : root.named_sections("probe")) {
-    Probe probe{name, section.text("body"), {}, {}};
-    probe.position =
-        section.quantities("position", dimension::length, static_cast<std::size_t>(dimensions_of(scene.space)));
-    const auto known = field_names();
-    for (const auto& field : section.texts("fields", {"pressure", "velocity"})) {
+    Probe probe{name, section.text("body"), Shown::particle, {}, {}};
+    if (section.has("extreme")) {
+      const std::array<std::string, 2> extremes{"least", "largest"};
+      probe.shown = section.choice("extreme", extremes) == "least" ? Shown::least : Shown::largest;
+      if (section.has("position")) throw section.fault("position", "an extreme has no place", "position or extreme");
+    } else {
+      probe.position =
+          section.quantities("position", dimension::length, static_cast<std::size_t>(dimensions_of(scene.space)));
+    }
+    const bool extreme = probe.shown != Shown::particle;
+    const auto known = field_names(extreme);
+    const std::vector<std::string> usual{"pressure", "velocity"};
+    for (const auto& field : section.texts("fields", extreme ? std::vector{usual.front()} : usual)) {
       if (std::find(known.begin(), known.end(), field) == known.end())
         throw section.fault("fields", fmt::format("unknown field \"{}\"", field), join(known));
       probe.fields.push_back(*field_named(field));
@@ -92,7 +102,7 @@ void check_probes(Document& document, const RunSettings& settings, const Particl
   };
   for (const auto& probe : settings.probes)
     for (const auto& body : particles.bodies()) {
-      if (body.name != probe.body) continue;
+      if (body.name != probe.body || probe.shown != Shown::particle) continue;
       bool inside = false;
       for (std::size_t i = body.range.begin; i < body.range.end && !inside; ++i)
         inside = square_distance(probe, i) <= body.spacing * body.spacing;

@@ -10,11 +10,15 @@
 
 namespace tektite {
 
+/// What a probe shows of its body: a particle, or the least or largest value that the body has at each time.
+enum class Shown { particle, least, largest };
+
 struct Probe {
   std::string name;
   std::string body;
+  Shown shown = Shown::particle;
   std::vector<double> position;  ///< m, in the initial state; the nearest particle of the body is followed
-  std::vector<Field> fields;
+  std::vector<Field> fields;     ///< of an extreme: numbers
 };
 
 struct RunSettings {

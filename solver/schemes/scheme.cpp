@@ -89,7 +89,7 @@ SchemeSettings read_scheme(Section& root, const Scene& scene) {
   auto smoothing = root.section("smoothing");
   smoothing.choice("kernel", Family<Kernel>::names());
   if (!settings.type.starts_with("godunov")) settings.viscosity = read_viscosity(root);
-  settings.contact = read_contact(root);
+  settings.contact = read_contact(root, lagrangian);
   settings.anvil = read_anvil(root, scene, strong || eulerian || settings.type == "total-lagrangian");
   return settings;
 }

@@ -178,6 +178,7 @@ class TotalLagrangianScheme final : public Scheme {
     const auto scope = profile_.time("conversion");
     if (!converter_.convert(particles_, neighbours_.pairs(), mirror_, reference_, deformation_, stress_)) return;
     note_kernel_types();
+    if (contact_) contact_->note_conversion();
     drop_pairs();
     eulerian_->renew();
   }

@@ -1,5 +1,6 @@
 // Contact: bodies push each other, keep momentum and energy, and let go again.
 #include <catch2/catch.hpp>
+#include <map>
 
 #include "support/lattice.hpp"
 
@@ -58,6 +59,37 @@ TEST_CASE("Contact: two elastic blocks meet, store energy between them, and part
     // The contact's energy is that of a potential and the leapfrog keeps it to second order in the step.
     CHECK(worst < 2e-3);
     CHECK(run.momentum_drift(after) < 1e-12);
+  }
+}
+
+TEST_CASE("Contact: pieces of one body push each other as two bodies do, where the scene says so", "[contact]") {
+  // The lattice of both blocks with the gap between them: one body, or two.
+  const auto pieces = [](const std::string& more) {
+    const auto in_block = [](const double* x) { return x[0] < -4.5 * spacing || x[0] > -0.5 * spacing; };
+    auto p = test::particles_on(
+        Space::plane_strain, {{"both", "metal", spacing, {-20 * spacing, 0.0}, {36, 8}, {0.0, 0.0}, in_block}}, 2785.0);
+    for (std::size_t i = 0; i < p.count(); ++i)
+      if (p.reals(Field::position)[2 * i] < -4.5 * spacing) p.reals(Field::velocity)[2 * i] = speed;
+    return test::simulation_of(more + scene_of("total-lagrangian"), std::move(p));
+  };
+  auto two = collision("total-lagrangian", speed);
+  auto one = pieces("contact.itself = true\n"), blind = pieces("");
+  for (auto* run : {&two, &one, &blind}) test::run_to_the_end(*run);
+
+  // By place at the start, since the two runs number their particles in other orders.
+  const auto sorted = [](const Particles& p) {
+    std::map<std::pair<double, double>, std::pair<double, double>> velocities;
+    const auto x = p.reals(Field::reference_position), v = p.reals(Field::velocity);
+    for (std::size_t i = 0; i < p.count(); ++i)
+      velocities[{std::round(x[2 * i] / spacing), std::round(x[2 * i + 1] / spacing)}] = {v[2 * i], v[2 * i + 1]};
+    return velocities;
+  };
+  const auto expected = sorted(two.particles()), found = sorted(one.particles()), passed = sorted(blind.particles());
+  REQUIRE(found.size() == expected.size());
+  for (const auto& [place, velocity] : expected) {
+    CHECK(found.at(place).first == Approx(velocity.first).margin(1e-8 * speed));  // round-off, over the collision
+    CHECK(found.at(place).second == Approx(velocity.second).margin(1e-8 * speed));
+    CHECK(passed.at(place).first == Approx(place.first < -4.0 ? speed : 0.0).margin(1e-8 * speed));
   }
 }
 

@@ -21,10 +21,11 @@ std::vector<std::string> scenes(Space space) {
   std::vector<std::string> all{test::impact_scene, contact + test::impact_scene};
   if (space != Space::plane_stress) {
     all.push_back(contact + "scheme.type = 'total-lagrangian'\n" + test::impact_scene);
-    all.push_back(contact +
-                  "scheme = { type = 'adaptle', correction = 'reference', conversion = 'strain', "
-                  "conversion_strain = 0.1 }\n" +
-                  test::impact_scene);
+    all.push_back(
+        contact +
+        "contact.itself = true\nscheme = { type = 'adaptle', correction = 'reference', conversion = 'strain', "
+        "conversion_strain = 0.1 }\n" +
+        test::impact_scene);
     for (const std::string forces : {"strong", "adjoint"})
       all.push_back("scheme = { type = 'msph', forces = '" + forces + "' }\nsmoothing.kernel = 'truncated-gaussian'\n" +
                     test::impact_scene);

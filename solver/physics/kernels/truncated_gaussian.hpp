@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "core/pack.hpp"
+#include "physics/kernels/exponential.hpp"
 
 namespace tektite {
 
@@ -26,15 +27,13 @@ struct TruncatedGaussian {
 
   template <class T>
   static T shape(const T& q) {
-    using std::exp;
-    return exp(-q * q) - T(cut);
+    return exponential(-q * q) - T(cut);
   }
 
   /// w'(q)/q = -2 e^(-q²)
   template <class T>
   static T slope_over_q(const T& q) {
-    using std::exp;
-    return T(-2.0) * exp(-q * q);
+    return T(-2.0) * exponential(-q * q);
   }
 
   /// w'(q)

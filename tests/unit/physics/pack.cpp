@@ -1,5 +1,7 @@
 #include "core/pack.hpp"
 
+#include "physics/kernels/exponential.hpp"
+
 #include <catch2/catch.hpp>
 
 using namespace tektite;
@@ -22,6 +24,17 @@ TEST_CASE("Packs: larger and smaller are those of each lane", "[pack]") {
     CHECK(larger(counting, other)[lane] == larger(double(counting[lane]), double(other[lane])));
     CHECK(smaller(counting, other)[lane] == smaller(double(counting[lane]), double(other[lane])));
   }
+}
+
+TEST_CASE("Packs: their exponential is that of each lane", "[pack]") {
+  for (double x = -9.0; x < 1.0; x += 1e-3) {
+    const Pack several = Pack(x) + Pack(2.5e-4) * counting;
+    for (int lane = 0; lane < static_cast<int>(pack_width); ++lane) {
+      const double one = exponential(double(several[lane]));
+      CHECK(std::abs(exponential(several)[lane] - one) <= 4e-16 * one);
+    }
+  }
+  CHECK(exponential(Pack(0.0))[0] == 1.0);
 }
 
 TEST_CASE("Packs: the sum adds all lanes in one order", "[pack]") {

@@ -33,8 +33,11 @@ Event event_of(const Case& of) {
   return event;
 }
 
-Measured take(const std::string& name, const Event& event, Space space = Space::plane_strain) {
-  auto document = Document::parse(scene_text(space, false), "scene.toml");
+Measured take(const std::string& name, const Event& event, Space space = Space::plane_strain,
+              const std::vector<std::string>& settings = {}) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.file("scene.toml")) << scene_text(space, false);
+  auto document = Document::load(folder.file("scene.toml"), {}, settings);
   for (const auto& measure : read_plan(document).measures)
     if (measure.name == name) return measure.measure(event);
   throw std::logic_error("no measure " + name);
@@ -135,6 +138,19 @@ TEST_CASE("Peaks: value and time of the largest pressure and tension that a prob
   const auto tension = take("peak_tension", event);
   CHECK(tension.value == 2e9);
   CHECK(tension.time == 4e-7);
+}
+
+TEST_CASE("Peaks: from a time on, which counts from the first contact") {
+  const TemporaryFolder folder;
+  std::ofstream(folder.file("history.csv")) << "step,time,centre.pressure\n0,0,0\n1,1e-7,-9e9\n2,2e-7,-2e9\n"
+                                               "3,3e-7,-3e9\n4,4e-7,-1e9\n";
+  auto event = event_of({});
+  event.history = History::read(folder.file("history.csv"));
+  event.contact_time = 0.5e-7;
+  const auto tension = take("peak_tension", event, Space::plane_strain, {"measure.peak_tension.from='0.1 us'"});
+  CHECK(tension.value == 3e9);
+  CHECK(tension.time == 3e-7);
+  CHECK_THROWS_AS(take("peak_tension", event, Space::plane_strain, {"measure.peak_tension.from='1 us'"}), RunError);
 }
 
 TEST_CASE("Peaks: the uncertainty looks as far as sound takes across half a spacing") {

@@ -1,0 +1,38 @@
+// What probes show: the particle that was nearest to their place, wherever it goes, or the extremes of a body.
+#include "output/probes.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "support/lattice.hpp"
+
+using namespace tektite;
+
+namespace {
+
+Particles two_bodies() {
+  auto p = test::particles_on(
+      Space::line, {{"near", "metal", 1.0, {0.0}, {4}, {0.0}}, {"far", "metal", 1.0, {100.0}, {4}, {0.0}}}, 1.0);
+  p.allocate(Field::pressure);
+  for (std::size_t i = 0; i < p.count(); ++i) p.reals(Field::pressure)[i] = i % 2 == 0 ? -1.0 * i : 1.0 * i;
+  return p;
+}
+
+}  // namespace
+
+TEST_CASE("Probes: a place shows its particle, an extreme the least and the largest of its own body", "[probes]") {
+  const auto p = two_bodies();  // pressures 0 1 -2 3 and -4 5 -6 7
+  Probes probes({{"place", "near", Shown::particle, {1.9}, {Field::pressure}},
+                 {"lowest", "near", Shown::least, {}, {Field::pressure}},
+                 {"highest", "far", Shown::largest, {}, {Field::pressure}}},
+                p);
+  CHECK(probes.columns(p) == std::vector<std::string>{"place.pressure", "lowest.pressure", "highest.pressure"});
+  CHECK(probes.values(p) == std::vector<double>{-2.0, -2.0, 7.0});
+}
+
+TEST_CASE("Probes: extremes go on after a restart", "[probes]") {
+  const auto p = two_bodies();
+  const std::vector<Probe> wanted{{"lowest", "far", Shown::least, {}, {Field::pressure}}};
+  std::map<std::string, double> state;
+  Probes(wanted, p).save(state);
+  CHECK(Probes(wanted, state).values(p) == std::vector<double>{-6.0});
+}
