@@ -2,18 +2,15 @@
 
 #include <fmt/format.h>
 #include <vtkAxis.h>
-#include <vtkChartLegend.h>
 #include <vtkChartXY.h>
 #include <vtkContextScene.h>
 #include <vtkContextView.h>
 #include <vtkDoubleArray.h>
-#include <vtkPen.h>
 #include <vtkPlot.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 #include <vtkTable.h>
-#include <vtkTextProperty.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +18,7 @@
 #include "core/error.hpp"
 #include "postprocess/render/colours.hpp"
 #include "postprocess/render/image.hpp"
+#include "postprocess/render/style.hpp"
 #include "postprocess/scalar_field.hpp"
 #include "postprocess/shown_unit.hpp"
 
@@ -52,14 +50,6 @@ vtkSmartPointer<vtkDoubleArray> scaled(const std::vector<double>& values, double
 std::string readable(std::string name) {
   std::replace(name.begin(), name.end(), '_', ' ');
   return name;
-}
-
-void style_axis(vtkAxis* axis, const std::string& title) {
-  axis->SetTitle(title.c_str());
-  axis->GetTitleProperties()->SetFontSize(26);
-  axis->GetTitleProperties()->SetBold(0);
-  axis->GetLabelProperties()->SetFontSize(22);
-  axis->GetGridPen()->SetColor(225, 225, 225);
 }
 
 std::string common_unit(const Picture& picture) {
@@ -100,11 +90,7 @@ void draw_history(const Picture& picture, const History& history, const Scene& s
   view->GetRenderer()->SetBackground(1.0, 1.0, 1.0);
   const auto chart = vtkSmartPointer<vtkChartXY>::New();
   view->GetScene()->AddItem(chart);
-  chart->SetTitle(fmt::format("{}: {}", scene.title, readable(picture.name)));
-  chart->GetTitleProperties()->SetFontSize(32);
-  chart->SetShowLegend(true);
-  chart->GetLegend()->SetLabelSize(24);
-  chart->GetLegend()->SetInline(false);  // beside the lines, not over them
+  style_chart(chart, fmt::format("{}: {}", scene.title, readable(picture.name)));
   const bool energy = si_unit == "J" || si_unit == "kg m/s";
   const std::string slice = energy && dimensions_of(scene.space) == 2 ? " (per metre of thickness)" : "";
   style_axis(chart->GetAxis(vtkAxis::BOTTOM), fmt::format("time, {}", time_unit.label));
