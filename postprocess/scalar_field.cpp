@@ -1,5 +1,7 @@
 #include "postprocess/scalar_field.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/tensor.hpp"
@@ -29,6 +31,55 @@ std::vector<double> von_mises_in(const Particles& particles) {
   return values;
 }
 
+struct Component {
+  const char* name;
+  Field needed;
+  int row, column;  ///< of a vector the row alone
+};
+constexpr std::array components{
+    Component{"velocity_x", Field::velocity, 0, 0},         Component{"velocity_y", Field::velocity, 1, 1},
+    Component{"velocity_z", Field::velocity, 2, 2},         Component{"stress_xx", Field::deviatoric_stress, 0, 0},
+    Component{"stress_yy", Field::deviatoric_stress, 1, 1}, Component{"stress_zz", Field::deviatoric_stress, 2, 2},
+    Component{"stress_xy", Field::deviatoric_stress, 0, 1},
+};
+
+const Component* component_named(const std::string& name) {
+  const auto found = std::ranges::find(components, name, &Component::name);
+  return found == components.end() ? nullptr : &*found;
+}
+
+/// A component of the velocity or of the stress s - p 1; nullopt where the space does not have it.
+template <int D>
+std::optional<std::vector<double>> component_in(const Particles& particles, const Component& which) {
+  std::vector<double> values(particles.count());
+  const bool within = which.row < D && which.column < D;
+  if (which.needed == Field::velocity) {
+    if (!within) return std::nullopt;
+    const auto* v = particles.vectors<D>(Field::velocity);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = v[i][which.row];
+    return values;
+  }
+  const bool across = D == 2 && which.row == 2 && which.column == 2;
+  if ((!within && !across) || !particles.has(Field::pressure)) return std::nullopt;
+  const auto* s = particles.symmetrics<D>(Field::deviatoric_stress);
+  const auto p = particles.reals(Field::pressure);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = (across ? s[i].c[2] : s[i](which.row % D, which.column % D)) - (which.row == which.column ? p[i] : 0.0);
+  return values;
+}
+
+std::optional<std::vector<double>> component_of(const Particles& particles, const Component& which) {
+  if (!particles.has(which.needed)) return std::nullopt;
+  switch (particles.dimensions()) {
+    case 1:
+      return component_in<1>(particles, which);
+    case 2:
+      return component_in<2>(particles, which);
+    default:
+      return component_in<3>(particles, which);
+  }
+}
+
 std::vector<double> body_indices(const Particles& particles) {
   std::vector<double> values(particles.count());
   for (std::size_t k = 0; k < particles.bodies().size(); ++k)
@@ -48,6 +99,7 @@ const std::vector<std::string>& scalar_field_names() {
     std::vector<std::string> all{"speed", "von_mises_stress", "body"};
     for (const auto& row : field_table)
       if (can_be_shown(row)) all.emplace_back(row.name);
+    for (const auto& component : components) all.emplace_back(component.name);
     return all;
   }();
   return names;
@@ -56,6 +108,7 @@ const std::vector<std::string>& scalar_field_names() {
 std::string scalar_field_unit(const std::string& name) {
   if (name == "speed") return std::string(info(Field::velocity).unit);
   if (name == "von_mises_stress") return std::string(info(Field::deviatoric_stress).unit);
+  if (const auto* component = component_named(name)) return std::string(info(component->needed).unit);
   const auto field = field_named(name);
   return field ? std::string(info(*field).unit) : "1";
 }
@@ -74,6 +127,7 @@ std::vector<double> von_mises_stress(const Particles& particles) {
 std::optional<std::vector<double>> scalar_field(const Snapshot& snapshot, const std::string& name) {
   const auto& particles = snapshot.particles;
   if (name == "body") return body_indices(particles);
+  if (const auto* component = component_named(name)) return component_of(particles, *component);
   const auto needed = name == "speed"              ? Field::velocity
                       : name == "von_mises_stress" ? Field::deviatoric_stress
                                                    : field_named(name).value();

@@ -1,24 +1,13 @@
 #include "postprocess/render/chart.hpp"
 
 #include <fmt/format.h>
-#include <vtkAxis.h>
-#include <vtkChartXY.h>
-#include <vtkContextScene.h>
-#include <vtkContextView.h>
-#include <vtkDoubleArray.h>
-#include <vtkPlot.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
-#include <vtkSmartPointer.h>
-#include <vtkTable.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/error.hpp"
-#include "postprocess/render/colours.hpp"
-#include "postprocess/render/image.hpp"
-#include "postprocess/render/style.hpp"
+#include "postprocess/render/line_chart.hpp"
+#include "postprocess/render/words.hpp"
 #include "postprocess/scalar_field.hpp"
 #include "postprocess/shown_unit.hpp"
 
@@ -40,16 +29,9 @@ double largest(const std::vector<double>& values) {
   return most;
 }
 
-vtkSmartPointer<vtkDoubleArray> scaled(const std::vector<double>& values, double factor, const std::string& name) {
-  auto array = vtkSmartPointer<vtkDoubleArray>::New();
-  array->SetName(name.c_str());
-  for (const double value : values) array->InsertNextValue(value * factor);
-  return array;
-}
-
-std::string readable(std::string name) {
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return name;
+std::vector<double> scaled(std::vector<double> values, double factor) {
+  for (double& value : values) value *= factor;
+  return values;
 }
 
 std::string common_unit(const Picture& picture) {
@@ -78,31 +60,26 @@ void draw_history(const Picture& picture, const History& history, const Scene& s
   const auto unit = shown_unit(most, si_unit);
   const auto time_unit = shown_unit(largest(time), "s");
 
-  const auto table = vtkSmartPointer<vtkTable>::New();
-  table->AddColumn(scaled(time, time_unit.factor, "time"));
-  for (const auto& column : picture.columns)
-    table->AddColumn(scaled(history.column(column), unit.factor, readable(column)));
-
-  const auto view = vtkSmartPointer<vtkContextView>::New();
-  view->GetRenderWindow()->SetOffScreenRendering(1);
-  view->GetRenderWindow()->SetSize(picture.width, picture.height);
-  view->GetRenderWindow()->SetMultiSamples(8);
-  view->GetRenderer()->SetBackground(1.0, 1.0, 1.0);
-  const auto chart = vtkSmartPointer<vtkChartXY>::New();
-  view->GetScene()->AddItem(chart);
-  style_chart(chart, fmt::format("{}: {}", scene.title, readable(picture.name)));
   const bool energy = si_unit == "J" || si_unit == "kg m/s";
   const std::string slice = energy && dimensions_of(scene.space) == 2 ? " (per metre of thickness)" : "";
-  style_axis(chart->GetAxis(vtkAxis::BOTTOM), fmt::format("time, {}", time_unit.label));
-  style_axis(chart->GetAxis(vtkAxis::LEFT), unit.label + slice);
-  for (std::size_t k = 0; k < picture.columns.size(); ++k) {
-    auto* line = chart->AddPlot(vtkChart::LINE);
-    line->SetInputData(table, 0, static_cast<vtkIdType>(k + 1));
-    const auto& [red, green, blue] = distinct_colour(k);
-    line->SetColor(red, green, blue);
-    line->SetWidth(3.0F);
+  LineChart chart{fmt::format("{}: {}", scene.title, readable(picture.name)),
+                  fmt::format("time, {}", time_unit.label),
+                  unit.label + slice,
+                  {},
+                  picture.width,
+                  picture.height};
+  for (const auto& column : picture.columns)
+    chart.lines.push_back(
+        {readable(column), scaled(time, time_unit.factor), scaled(history.column(column), unit.factor)});
+  if (!picture.exact.empty()) {
+    ChartLine exact{"exact", {}, {}};
+    for (const auto& point : picture.exact) {
+      exact.x.push_back(point[0] * time_unit.factor);
+      exact.y.push_back(point[1] * unit.factor);
+    }
+    chart.lines.push_back(exact);
   }
-  write_png(view->GetRenderWindow(), path);
+  draw_line_chart(chart, path);
 }
 
 }  // namespace tektite

@@ -9,6 +9,7 @@
 #include "postprocess/render/apart.hpp"
 #include "postprocess/render/chart.hpp"
 #include "postprocess/render/particle_picture.hpp"
+#include "postprocess/render/profile.hpp"
 
 namespace tektite {
 namespace {
@@ -46,10 +47,11 @@ void draw_one(const Picture& picture, const Drawing& drawing, const Tell& tell) 
     const bool series = picture.all_times || !picture.times.empty();
     const auto name = series ? fmt::format("{}_{}", picture.name, fs::path(file).stem().string()) : picture.name;
     const auto path = (folder / (name + ".png")).string();
+    const auto draw = picture.type == PictureType::profile ? draw_profile : draw_particles;
     if (is_last)
-      draw_particles(picture, drawing.event.last_snapshot, drawing, path);
+      draw(picture, drawing.event.last_snapshot, drawing, path);
     else
-      draw_particles(picture, read_snapshot(file), drawing, path);
+      draw(picture, read_snapshot(file), drawing, path);
     tell("picture: " + path);
   }
 }

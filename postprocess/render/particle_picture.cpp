@@ -17,6 +17,7 @@
 #include "postprocess/render/framing.hpp"
 #include "postprocess/render/image.hpp"
 #include "postprocess/render/particle_actors.hpp"
+#include "postprocess/render/words.hpp"
 #include "postprocess/scalar_field.hpp"
 #include "postprocess/shown_unit.hpp"
 
@@ -61,17 +62,6 @@ vtkSmartPointer<vtkScalarsToColors> colours_of(const std::vector<Category>& cate
   std::vector<Colour> colours;
   for (const auto& category : categories) colours.push_back(category.colour);
   return listed_colours(colours);
-}
-
-std::string readable(std::string name) {
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return name;
-}
-
-std::string time_in_words(double time, const std::optional<double>& contact) {
-  const double shown = contact ? time - *contact : time;
-  const auto unit = shown_unit(shown, "s");
-  return fmt::format("{:.3f} {}{}", shown * unit.factor, unit.label, contact ? " after contact" : "");
 }
 
 /// The measures that have a line to draw and were taken at this time.

@@ -53,21 +53,39 @@ void read_solid_view(Section& section, Picture& picture) {
   }
 }
 
-void read_particles(Section& section, const Declared& declared, Picture& picture) {
+/// What a picture of particles and a profile have in common.
+void read_field(Section& section, const Declared& declared, Picture& picture) {
   picture.field = section.choice("field", scalar_field_names());
   picture.bodies = section.texts("bodies", declared.bodies);
   for (const auto& body : picture.bodies)
     if (std::find(declared.bodies.begin(), declared.bodies.end(), body) == declared.bodies.end())
       throw section.fault("bodies", fmt::format("there is no body {}", body), join(declared.bodies));
+  if (section.has("times"))
+    picture.times = read_times(section);
+  else
+    picture.all_times = section.choice("time", std::vector<std::string>{"last", "all"}, "last") == "all";
+}
+
+void read_profile(Section& section, const Declared& declared, Picture& picture) {
+  picture.type = PictureType::profile;
+  read_field(section, declared, picture);
+  const auto dimensions = static_cast<std::size_t>(dimensions_of(declared.space));
+  std::vector<std::string> known{"x", "y", "z"};
+  known.resize(dimensions);
+  known.emplace_back("radius");
+  picture.along = section.choice("along", known, known.front());
+  if (!section.has("centre")) return;
+  const auto centre = section.quantities("centre", dimension::length, dimensions);
+  for (std::size_t k = 0; k < dimensions; ++k) picture.centre[static_cast<int>(k)] = centre[k];
+}
+
+void read_particles(Section& section, const Declared& declared, Picture& picture) {
+  read_field(section, declared, picture);
   if (section.has("range")) {
     const auto range = section.quantities("range", dimension_of(scalar_field_unit(picture.field)), 2);
     if (range[0] >= range[1]) throw section.fault("range", "must rise", "[least, largest]");
     picture.range = {range[0], range[1]};
   }
-  if (section.has("times"))
-    picture.times = read_times(section);
-  else
-    picture.all_times = section.choice("time", std::vector<std::string>{"last", "all"}, "last") == "all";
   picture.view = read_view(section, declared.space);
   if (dimensions_of(declared.space) == 3) read_solid_view(section, picture);
   picture.measures = section.flag("measures", true);
@@ -94,20 +112,24 @@ bool is_probed_pressure(const std::string& column) { return column.ends_with(".p
 }  // namespace
 
 std::vector<Picture> read_pictures(Section& root, const Declared& declared) {
-  const std::vector<std::string> types{"particles", "history"};
+  const std::vector<std::string> types{"particles", "history", "profile"};
   std::vector<Picture> pictures;
   for (auto& [name, section] : root.named_sections("picture")) {
     Picture picture;
     picture.name = name;
     if (name.find_first_of("/\\ ") != std::string::npos)
       throw section.fault("", "names a file, so it must be plain", "letters, digits, _ and -");
-    if (section.choice("type", types, "particles") == "history") {
+    const auto type = section.choice("type", types, types.front());
+    if (type == "history") {
       picture.type = PictureType::history;
       picture.columns = section.texts("columns", {"kinetic_energy", "internal_energy", "total_energy"});
       if (picture.columns.empty()) throw section.fault("columns", "nothing to draw", "names of columns of history.csv");
+    } else if (type == "profile") {
+      read_profile(section, declared, picture);
     } else {
       read_particles(section, declared, picture);
     }
+    if (type != "particles" && section.has("exact")) picture.exact = section.points("exact", 2, 2);
     picture.width = static_cast<int>(section.integer("width", pixels, picture.width));
     picture.height = static_cast<int>(section.integer("height", pixels, picture.height));
     section.finish();

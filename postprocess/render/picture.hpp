@@ -11,7 +11,7 @@
 
 namespace tektite {
 
-enum class PictureType { particles, history };
+enum class PictureType { particles, history, profile };
 
 struct Region {
   std::vector<double> lower;  ///< in m
@@ -27,7 +27,7 @@ struct Picture {
   int width = 1600;  ///< in pixels
   int height = 1000;
 
-  // particles
+  // particles and profiles
   std::string field;                               ///< a name of scalar_field_names()
   std::vector<std::string> bodies;                 ///< those that are drawn; all where it is empty
   std::optional<std::pair<double, double>> range;  ///< of the colours, in SI; that of the field where it is not given
@@ -41,6 +41,13 @@ struct Picture {
 
   // history
   std::vector<std::string> columns;  ///< of history.csv
+
+  // profile
+  std::string along;             ///< x, y, z or radius
+  Point centre = Point::zero();  ///< in m, of a radius
+
+  /// Of history and profile: points of an exact curve, [abscissa, value] in SI.
+  std::vector<std::vector<double>> exact;
 };
 
 /// Reads the tables [picture.NAME]; an unknown field or body is answered with the known ones.

@@ -68,6 +68,19 @@ template <int D>
 struct MsphCoefficients {
   Vector<TaylorTerms<double, D>, taylor_terms<D>> row;
   int order = 2;  ///< of the expansion that B could be inverted for
+
+  /// Reflects them at a plane across `axis`: terms that are odd in it change their sign.
+  void mirror(int axis, double) {
+    TaylorTerms<double, D> parity;
+    int n = 0;
+    parity[n++] = 1.0;
+    for (int a = 0; a < D; ++a) parity[n++] = a == axis ? -1.0 : 1.0;
+    for (int a = 0; a < D; ++a) parity[n++] = 1.0;
+    for (int a = 0; a < D; ++a)
+      for (int b = a + 1; b < D; ++b) parity[n++] = a == axis || b == axis ? -1.0 : 1.0;
+    for (int r = 0; r < taylor_terms<D>; ++r)
+      for (int c = 0; c < taylor_terms<D>; ++c) row[r][c] *= parity[r] * parity[c];
+  }
 };
 
 /// B may be inverted below this condition number (in the 1-norm). Inside a lattice it is 3, on the corner of a

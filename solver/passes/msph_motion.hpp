@@ -95,17 +95,30 @@ struct MsphMiddle {
       hoop = radius > 0.0 ? speed / (radius + 0.5 * step * speed) : gradient[i](0, 0);
     }
     across_rate[i] = hoop;
-    half_density[i] = density[i] * density_factor(0.5 * step * (trace(gradient[i]) + hoops * hoop));
-    half_energy[i] = energy[i] + 0.5 * step * power(i, pressure[i]) / density[i];
+    half_density[i] = density[i] * density_factor(0.5 * step * expansion(i));
+    half_energy[i] = energy[i] + 0.5 * step * (deviatoric_power(i) - pressure[i] * expansion(i)) / density[i];
   }
 
-  /// σ:D in W/m³.
-  double power(std::size_t i, double p) const {
-    double work = contract(deviatoric_stress[i], symmetric_part(gradient[i])) - p * trace(gradient[i]);
-    if constexpr (hoops == 1) work += across_rate[i] * (deviatoric_stress[i].c[D == 1 ? 1 : 2] - p);
-    if constexpr (hoops == 2)
-      work += across_rate[i] * (deviatoric_stress[i].c[1] + deviatoric_stress[i].c[2] - 2.0 * p);
+  /// s:D in W/m³, with the deviatoric stress as it is.
+  double deviatoric_power(std::size_t i) const {
+    double work = contract(deviatoric_stress[i], symmetric_part(gradient[i]));
+    if constexpr (hoops == 1) work += across_rate[i] * deviatoric_stress[i].c[D == 1 ? 1 : 2];
+    if constexpr (hoops == 2) work += across_rate[i] * (deviatoric_stress[i].c[1] + deviatoric_stress[i].c[2]);
     return work;
+  }
+  /// tr D in 1/s.
+  double expansion(std::size_t i) const { return trace(gradient[i]) + hoops * across_rate[i]; }
+};
+
+/// Half of what the deviatoric stress does in a step. Before the stress is advanced and again after it, this is the
+/// mean of both over the step, which an elastic wave gives back.
+template <int D, int hoops>
+struct MsphDeviatoricWork {
+  MsphMiddle<D, hoops> middle;
+  double* energy;
+
+  void operator()(std::size_t i) const {
+    energy[i] += 0.5 * middle.step * middle.deviatoric_power(i) / middle.half_density[i];
   }
 };
 
@@ -122,8 +135,8 @@ struct MsphAdvance {
 
   void operator()(std::size_t i) const {
     const double step = middle.step;
-    energy[i] += step * middle.power(i, half_pressure[i]) / middle.half_density[i];
-    density[i] *= density_factor(step * (trace(middle.gradient[i]) + hoops * middle.across_rate[i]));
+    energy[i] -= step * half_pressure[i] * middle.expansion(i) / middle.half_density[i];
+    density[i] *= density_factor(step * middle.expansion(i));
     position[i] += step * middle.fitted[i];
     if (!anvil.touches(position[i])) return;
     anvil.keep_out(position[i]);

@@ -21,6 +21,7 @@ struct MsphSurface {
   const Vector<double, D>* lopsidedness;
   const Vector<double, D>* velocity;
   Anvil<D> anvil;
+  bool frees;  ///< false: the forces are free of traction by themselves
   EulerianRecord<D>* records;
   std::uint8_t* held;
 
@@ -31,12 +32,13 @@ struct MsphSurface {
     held[i] = 0;
     if (wall >= 0 && anvil.holds(r.x, r.stress[EulerianRecord<D>::index(wall, wall)])) {
       held[i] = 1;
+      if (!frees) return;
       n[wall] = 0.0;
       for (int k = 0; k < D; ++k)
         if (k != wall) r.stress[EulerianRecord<D>::index(k, wall)] = 0.0;
     }
     const double off = norm(n);
-    if (!(off > surface_offset)) return;
+    if (!frees || !(off > surface_offset)) return;
     n = (1.0 / off) * n;
     auto traction = Vector<double, D>::zero();
     for (int a = 0; a < D; ++a)

@@ -7,6 +7,7 @@
 #include "parallel/for_each_pair.hpp"
 #include "passes/assemble_records.hpp"
 #include "passes/body_contact.hpp"
+#include "passes/msph_adjoint.hpp"
 #include "passes/msph_motion.hpp"
 #include "passes/msph_sums.hpp"
 #include "passes/msph_surface.hpp"
@@ -91,8 +92,8 @@ class MsphScheme final : public Scheme {
     return neighbourhood_.memory() + records_.capacity() * sizeof(EulerianRecord<D>) +
            coefficients_.capacity() * sizeof(MsphCoefficients<D>) +
            (lopsidedness_.capacity() + divergence_.capacity() + fitted_.capacity()) * sizeof(Vector<double, D>) +
-           (kernel_mass_.capacity() + radial_part_.capacity() + heat_.capacity() + exchange_.capacity() +
-            energies_.capacity() + densities_.capacity() + smoothed_.capacity()) *
+           (kernel_mass_.capacity() + radial_part_.capacity() + across_.capacity() + heat_.capacity() +
+            exchange_.capacity() + energies_.capacity() + densities_.capacity() + smoothed_.capacity()) *
                sizeof(double);
   }
 
@@ -154,21 +155,50 @@ class MsphScheme final : public Scheme {
         });
     lower_order_.first += lower.first;
     lower_order_.second += lower.second;
-    run_all(MsphSurface<D>{lopsidedness_.data(), p.template vectors<D>(Field::velocity), anvil_, records_.data(),
-                           held_.data()});
+    run_all(MsphSurface<D>{lopsidedness_.data(), p.template vectors<D>(Field::velocity), anvil_,
+                           !settings_.adjoint_forces, records_.data(), held_.data()});
     neighbourhood_.mirror().fill(records_, p.count());
   }
 
   void kick(double dt) {
     const auto scope = profile_.time("forces");
-    auto& p = particles_;
-    for_each_pair(neighbourhood_.pairs(),
-                  MsphDivergence<Weights, D>{gather(), coefficients_.data(), divergence_.data(), radial_part_.data()});
-    auto* v = p.template vectors<D>(Field::velocity);
-    run_all(MsphKick<D, hoops>{records_.data(), p.template symmetrics<D>(Field::deviatoric_stress),
-                               p.scalars(Field::pressure), divergence_.data(), radial_part_.data(), held_.data(),
-                               anvil_.axis(), dt, v, p.template vectors<D>(Field::acceleration)});
+    if (settings_.adjoint_forces) {
+      find_adjoint_forces();
+      kick_by<0>(dt);
+    } else {
+      for_each_pair(neighbourhood_.pairs(), MsphDivergence<Weights, D>{gather(), coefficients_.data(),
+                                                                       divergence_.data(), radial_part_.data()});
+      kick_by<hoops>(dt);
+    }
     show_velocities();
+  }
+  /// By the forces found, and what turning about the axis adds for `turning` directions.
+  template <int turning>
+  void kick_by(double dt) {
+    auto& p = particles_;
+    run_all(MsphKick<D, turning>{records_.data(), p.template symmetrics<D>(Field::deviatoric_stress),
+                                 p.scalars(Field::pressure), divergence_.data(), radial_part_.data(), held_.data(),
+                                 anvil_.axis(), dt, p.template vectors<D>(Field::velocity),
+                                 p.template vectors<D>(Field::acceleration)});
+  }
+  void find_adjoint_forces() {
+    auto& p = particles_;
+    const auto& mirror = neighbourhood_.mirror();
+    across_.clear();
+    if constexpr (hoops > 0) {
+      across_.resize(p.count());
+      for_each(p.count(), [&, s = p.template symmetrics<D>(Field::deviatoric_stress),
+                           pressure = p.scalars(Field::pressure)](std::size_t i) {
+        across_[i] = s[i].c[D == 1 ? 1 : 2] - pressure[i];
+        if (records_[i].x[0] == 0.0) records_[i].stress[0] += hoops * across_[i];
+      });
+      mirror.repeat(across_);
+      mirror.fill(records_, p.count());
+    }
+    coefficients_.resize(p.count() + mirror.images());
+    mirror.fill(coefficients_, p.count());
+    for_each_pair(neighbourhood_.pairs(),
+                  MsphAdjoint<Weights, D, hoops>{gather(), coefficients_.data(), across_.data(), divergence_.data()});
   }
 
   /// The velocities, held at symmetry planes, as pairs see them.
@@ -228,7 +258,10 @@ class MsphScheme final : public Scheme {
                   MsphAdvance<D, hoops>{middle, p.scalars(Field::half_pressure), anvil_,
                                         p.template vectors<D>(Field::position), p.template vectors<D>(Field::velocity),
                                         p.scalars(Field::density), p.scalars(Field::specific_internal_energy)});
+      const MsphDeviatoricWork<D, hoops> deviatoric_work{middle, p.scalars(Field::specific_internal_energy)};
+      run_through(run.range, deviatoric_work);
       materials_.advance_strength(run, dt);
+      run_through(run.range, deviatoric_work);
     });
     smooth_density();
     materials_.evaluate_state();
@@ -257,7 +290,7 @@ class MsphScheme final : public Scheme {
   std::pair<double, double> lower_order_{0.0, 0.0};  ///< particle steps by first and by zeroth order
   std::vector<EulerianRecord<D>> records_;
   std::vector<MsphCoefficients<D>> coefficients_;
-  std::vector<double> kernel_mass_, radial_part_, heat_, exchange_, energies_, densities_, smoothed_;
+  std::vector<double> kernel_mass_, radial_part_, across_, heat_, exchange_, energies_, densities_, smoothed_;
   std::vector<Vector<double, D>> lopsidedness_, divergence_, fitted_;
   std::vector<std::uint8_t> held_;
 };

@@ -66,6 +66,8 @@ SchemeSettings read_scheme(Section& root, const Scene& scene) {
   const bool strong = settings.type == "msph" || settings.type == "ssph";
   settings.courant = section.quantity("courant", dimension::none, {0.0, 1.0, true}, strong ? 0.2 : 0.25);
   if (strong) settings.smoothing_share = section.quantity("smoothing_share", dimension::none, {0.0, 0.5}, 0.3);
+  const std::array<std::string, 2> forces{"strong", "adjoint"};
+  if (strong) settings.adjoint_forces = section.choice("forces", forces, "strong") == "adjoint";
   const bool adaptle = settings.type == "adaptle", eulerian = settings.type == "eulerian";
   const bool split = settings.type == "godunov-split";
   const bool lagrangian = adaptle || settings.type == "total-lagrangian";

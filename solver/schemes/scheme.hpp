@@ -34,6 +34,7 @@ struct SchemeSettings {
   std::optional<ContactSettings> contact;
   std::shared_ptr<const GodunovSettings> godunov;  ///< of the scheme godunov-split
   double smoothing_share = 0.0;                    ///< α_cs of the conservative smoothing
+  bool adjoint_forces = false;                     ///< of msph: the adjoint of the strain rates, not the strong form
   std::optional<SymmetryPlane> anvil;              ///< a rigid smooth wall
 };
 

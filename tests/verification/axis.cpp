@@ -62,20 +62,27 @@ TEST_CASE("Axis: rings of the total-Lagrangian scheme follow a linear motion exa
 }
 
 TEST_CASE("Axis: a bar that vibrates keeps its energy and its momentum along the axis", "[axis]") {
-  for (const std::string scheme : {"total-lagrangian", "eulerian"}) {
+  struct Case {
+    std::string scheme;
+    int steps;        ///< to another phase of the vibration
+    double of_total;  ///< what the energy may drift by
+  };
+  // The leapfrog's own drift is of second order in the step, 1.3e-4 with a courant number of 0.25. MSPH's velocities
+  // are those of the middle of steps, so that its sum is off by half a step of the vibration, 7e-3 of a radian.
+  for (const Case& c : {Case{"type = 'total-lagrangian'", 700, 1e-4}, Case{"type = 'eulerian'", 700, 1e-4},
+                        Case{"type = 'msph', forces = 'adjoint', smoothing_share = 0.0", 550, 1e-2}}) {
     for (const double offset : {0.0, 0.5}) {
-      INFO(scheme << ", first particle at " << offset << " spacings");
+      INFO(c.scheme << ", first particle at " << offset << " spacings");
       auto p = rod(offset);
       for (std::size_t i = 0; i < p.count(); ++i)
         p.reals(Field::velocity)[2 * i + 1] = 5.0 + 20.0 * std::cos(M_PI * p.reals(Field::position)[2 * i + 1] / 0.029);
-      auto simulation = test::simulation_of(
-          "time.end = '1 s'\nscheme = { courant = 0.1, type = '" + scheme + "' }\n" + steel, std::move(p));
+      auto simulation =
+          test::simulation_of("time.end = '1 s'\nscheme = { courant = 0.1, " + c.scheme + " }\n" + steel, std::move(p));
       const auto before = simulation.ledger();
-      test::take_steps(simulation, 700);
+      test::take_steps(simulation, c.steps);
       const auto after = simulation.ledger();
       CHECK(after.momentum[1] == Approx(before.momentum[1]).epsilon(1e-12));
-      // The leapfrog's own drift: of second order in the step, 1.3e-4 with a courant number of 0.25.
-      CHECK(after.total() == Approx(before.total()).epsilon(1e-4));
+      CHECK(after.total() == Approx(before.total()).epsilon(c.of_total));
       CHECK(after.kinetic < 0.9 * before.kinetic);  // it did vibrate
     }
   }

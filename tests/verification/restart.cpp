@@ -25,7 +25,9 @@ std::vector<std::string> scenes(Space space) {
                   "scheme = { type = 'adaptle', correction = 'reference', conversion = 'strain', "
                   "conversion_strain = 0.1 }\n" +
                   test::impact_scene);
-    all.push_back("scheme.type = 'msph'\nsmoothing.kernel = 'truncated-gaussian'\n" + test::impact_scene);
+    for (const std::string forces : {"strong", "adjoint"})
+      all.push_back("scheme = { type = 'msph', forces = '" + forces + "' }\nsmoothing.kernel = 'truncated-gaussian'\n" +
+                    test::impact_scene);
   }
   if (dimensions_of(space) == 2)
     all.push_back("scheme = { correction = 'mixed', correction_limit = 10.0, artificial_stress = {} }\n" +
@@ -130,9 +132,10 @@ TEST_CASE("Restart: half a model with a symmetry plane goes on as if unbroken", 
 }
 
 TEST_CASE("Restart: an axisymmetric bar on an anvil goes on as if unbroken, on any number of threads", "[restart]") {
-  const std::string scheme = GENERATE("msph", "total-lagrangian", "eulerian");
-  const std::string scene = "scheme.type = '" + scheme +
-                            "'\nsmoothing.kernel = 'truncated-gaussian'\nanvil.axis = 'y'\n" + test::impact_scene;
+  const std::string scheme =
+      GENERATE("type = 'msph'", "type = 'msph', forces = 'adjoint'", "type = 'total-lagrangian'", "type = 'eulerian'");
+  const std::string scene =
+      "scheme = { " + scheme + " }\nsmoothing.kernel = 'truncated-gaussian'\nanvil.axis = 'y'\n" + test::impact_scene;
   const auto bar = [] {
     auto p = test::particles_on(Space::axisymmetric,
                                 {{"bar", "plate", test::impact_spacing, {0.0, 0.0}, {12, 60}, {0.0, -400.0}}}, 2785.0);

@@ -121,6 +121,15 @@ TEST_CASE("Symmetry planes: they hold for the Godunov schemes", "[symmetry]") {
     }
 }
 
+TEST_CASE("Symmetry planes: they hold for either form of msph", "[symmetry]") {
+  for (const std::string forces : {"strong", "adjoint"}) {
+    const auto scheme =
+        "scheme = { type = 'msph', forces = '" + forces + "' }\nsmoothing.kernel = 'truncated-gaussian'\n";
+    check_cut<Space::plane_strain>(Arrangement::beside_it, {1}, scheme);
+    check_cut<Space::solid>(Arrangement::beside_it, {1, 2}, scheme);
+  }
+}
+
 TEST_CASE("Symmetry planes: a bar that runs into a plane is half of two equal bars that collide", "[symmetry]") {
   const double d = test::impact_spacing;
   const auto run = [&](const std::vector<test::Lattice>& bars, const std::string& plane) {

@@ -4,8 +4,8 @@
 #include <random>
 
 #include "parallel/for_each_pair.hpp"
+#include "passes/msph_adjoint.hpp"
 #include "passes/msph_motion.hpp"
-#include "passes/msph_sums.hpp"
 
 using namespace tektite;
 
@@ -134,6 +134,58 @@ TEST_CASE("MSPH: the sums of the scheme give the gradient and the value of a qua
     CHECK(spacing * gradient[i](1, 1) == Approx(3.0 + 0.5 * y).margin(1e-9));
     CHECK(fitted[i][0] == Approx(records[i].v[0]).margin(1e-9));
   }
+}
+
+namespace {
+
+/// With random stresses and velocities, what the adjoint forces do is what the strain rates take; and a common velocity
+/// is not felt.
+template <class Weights, class Kernel, int D, int hoops>
+void check_adjoint() {
+  INFO(D << " coordinates, " << hoops << " directions across");
+  auto records = disordered<D>(D == 3 ? 6 : 12, 1.8);
+  std::mt19937 generator(7);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  std::vector<double> across;
+  for (auto& r : records) {
+    r.x[0] += 30.0 * spacing;  // away from the axis
+    r.smoothing_length *= 1.0 + 0.05 * any(generator);
+    for (auto& s : r.stress) s = any(generator);
+    for (int k = 0; k < D; ++k) r.v[k] = any(generator);
+    across.push_back(any(generator));
+  }
+  const auto pairs = pairs_of<D>(records, 4.0 * spacing);
+  const auto c = coefficients_of<Weights, Kernel, D>(records, pairs);
+  std::vector<Tensor<double, D>> gradient(records.size());
+  std::vector<Vector<double, D>> fitted(records.size()), force(records.size());
+  for_each_pair(pairs, MsphVelocity<Weights, D>{{records.data()}, c.data(), gradient.data(), fitted.data()});
+  for_each_pair(pairs, MsphAdjoint<Weights, D, hoops>{{records.data()}, c.data(), across.data(), force.data()});
+  double work = 0.0, power = 0.0, size = 0.0;
+  auto whole = Vector<double, D>::zero();
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const auto& r = records[i];
+    work += r.volume * dot(force[i], r.v);
+    whole += r.volume * force[i];
+    size += r.volume * norm(force[i]);
+    double rate = hoops * across[i] * fitted[i][0] / r.x[0];
+    for (int a = 0; a < D; ++a)
+      for (int b = 0; b < D; ++b) rate += r.stress[EulerianRecord<D>::index(a, b)] * gradient[i](a, b);
+    power += r.volume * rate;
+  }
+  CHECK(work == Approx(-power).margin(1e-11 * size));
+  for (int k = hoops > 0 ? 1 : 0; k < D; ++k) CHECK(std::abs(whole[k]) < 1e-11 * size);
+}
+
+}  // namespace
+
+TEST_CASE("MSPH: adjoint forces do the work of the strain rates and keep momentum", "[msph]") {
+  check_adjoint<MsphWeights<1>, TruncatedGaussian, 1, 0>();
+  check_adjoint<MsphWeights<1>, TruncatedGaussian, 1, 1>();
+  check_adjoint<MsphWeights<1>, TruncatedGaussian, 1, 2>();
+  check_adjoint<MsphWeights<2>, TruncatedGaussian, 2, 0>();
+  check_adjoint<MsphWeights<2>, TruncatedGaussian, 2, 1>();
+  check_adjoint<MsphWeights<3>, TruncatedGaussian, 3, 0>();
+  check_adjoint<SsphWeights<CubicSpline, 2>, CubicSpline, 2, 0>();
 }
 
 TEST_CASE("MSPH: a particle with too few neighbours is answered by lower order, never by NaN", "[msph]") {

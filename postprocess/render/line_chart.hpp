@@ -1,0 +1,25 @@
+#pragma once
+// Numbers over numbers, as lines or points.
+
+#include <string>
+#include <vector>
+
+namespace tektite {
+
+struct ChartLine {
+  std::string name;
+  std::vector<double> x, y;
+  bool points = false;  ///< drawn as points, in no order
+};
+
+struct LineChart {
+  std::string title;
+  std::string x_title, y_title;
+  std::vector<ChartLine> lines;
+  int width = 1600, height = 1000;  ///< in pixels
+};
+
+/// Draws it to a PNG file. Needs an X server.
+void draw_line_chart(const LineChart& chart, const std::string& path);
+
+}  // namespace tektite
