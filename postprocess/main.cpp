@@ -2,29 +2,53 @@
 
 #include "core/error.hpp"
 #include "core/program.hpp"
+#include "postprocess/page/page.hpp"
 #include "postprocess/pipeline.hpp"
+#include "postprocess/study/chart_study.hpp"
 
 namespace {
 
 int run(int argc, const char* const* argv) {
   namespace po = boost::program_options;
   tektite::PostprocessOptions options;
+  std::string study;
+  std::vector<std::string> runs;
   tektite::CommandLine line;
-  line.usage = "tektite-postprocess DIR|FILE.h5 [options]\n       tektite-postprocess --check SCENE.toml [options]";
+  line.usage =
+      "tektite-postprocess DIR|FILE.h5 [options]\n       tektite-postprocess --check SCENE.toml [options]\n"
+      "       tektite-postprocess --chart STUDY.toml -o DIR|--check\n       tektite-postprocess --page -o "
+      "FILE.html DIR...";
   line.about =
       "Measures a run, writes it for ParaView and draws it; can be run again with other measures and pictures.";
   line.options.add_options()("check", "validate the measures and pictures of a scene file; computes nothing")(
-      "output,o", po::value(&options.output), "folder to write to instead of the run's")(
+      "chart", po::value(&study), "chart the runs that this study has left in the folder")(
+      "page", "write one page about the runs")("output,o", po::value(&options.output),
+                                               "folder to write to instead of the run's; the page's file")(
       "scene", po::value(&options.scene), "take measures and pictures from this scene file")(
       "variant", po::value(&options.variant), "variant of that scene file, or of the run, which picks the references")(
       "set", po::value(&options.settings)->composing(), "KEY=VALUE laid over the scene file")(
       "reference", po::value(&options.reference), "file of published values to compare with")(
       "no-pictures", "numbers and ParaView files only");
-  line.hidden.add_options()("run", po::value(&options.run));
-  line.positional.add("run", 1);
+  line.hidden.add_options()("run", po::value(&runs));
+  line.positional.add("run", -1);
   po::variables_map values;
   if (tektite::parse_command_line(line, argc, argv, values)) return tektite::exit_done;
-  if (options.run.empty()) throw tektite::InputError("nothing to do: give the folder of a run; see --help");
+  if (!study.empty()) {
+    if (values.contains("check")) {
+      tektite::check_study(study);
+      return tektite::exit_done;
+    }
+    if (options.output.empty()) throw tektite::InputError("--chart needs the folder of the study: -o DIR");
+    return tektite::chart_study(study, options.output) ? tektite::exit_done : tektite::exit_failed;
+  }
+  if (runs.empty()) throw tektite::InputError("nothing to do: give the folder of a run; see --help");
+  if (values.contains("page")) {
+    if (options.output.empty()) throw tektite::InputError("--page needs the file of the page: -o FILE.html");
+    tektite::write_page(runs, options.output);
+    return tektite::exit_done;
+  }
+  if (runs.size() > 1) throw tektite::InputError("one folder at a time; see --help");
+  options.run = runs.front();
   options.pictures = !values.contains("no-pictures");
   if (values.contains("check")) {
     options.scene = options.run;

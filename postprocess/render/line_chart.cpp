@@ -1,21 +1,19 @@
 #include "postprocess/render/line_chart.hpp"
 
 #include <vtkAxis.h>
-#include <vtkChartLegend.h>
 #include <vtkChartXY.h>
 #include <vtkContextScene.h>
 #include <vtkContextView.h>
 #include <vtkDoubleArray.h>
-#include <vtkPen.h>
 #include <vtkPlotPoints.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 #include <vtkTable.h>
-#include <vtkTextProperty.h>
 
 #include "postprocess/render/colours.hpp"
 #include "postprocess/render/image.hpp"
+#include "postprocess/render/style.hpp"
 
 namespace tektite {
 namespace {
@@ -25,14 +23,6 @@ vtkSmartPointer<vtkDoubleArray> column(const std::vector<double>& values, const 
   array->SetName(name.c_str());
   for (const double value : values) array->InsertNextValue(value);
   return array;
-}
-
-void style_axis(vtkAxis* axis, const std::string& title) {
-  axis->SetTitle(title.c_str());
-  axis->GetTitleProperties()->SetFontSize(26);
-  axis->GetTitleProperties()->SetBold(0);
-  axis->GetLabelProperties()->SetFontSize(22);
-  axis->GetGridPen()->SetColor(225, 225, 225);
 }
 
 }  // namespace
@@ -45,11 +35,7 @@ void draw_line_chart(const LineChart& chart, const std::string& path) {
   view->GetRenderer()->SetBackground(1.0, 1.0, 1.0);
   const auto drawn = vtkSmartPointer<vtkChartXY>::New();
   view->GetScene()->AddItem(drawn);
-  drawn->SetTitle(chart.title);
-  drawn->GetTitleProperties()->SetFontSize(32);
-  drawn->SetShowLegend(true);
-  drawn->GetLegend()->SetLabelSize(24);
-  drawn->GetLegend()->SetInline(false);  // beside the lines, not over them
+  style_chart(drawn, chart.title);
   style_axis(drawn->GetAxis(vtkAxis::BOTTOM), chart.x_title);
   style_axis(drawn->GetAxis(vtkAxis::LEFT), chart.y_title);
   for (std::size_t k = 0; k < chart.lines.size(); ++k) {

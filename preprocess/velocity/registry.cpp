@@ -10,11 +10,12 @@ struct VelocityRow {
   VelocityPointer (*read)(Section&, int);
 };
 
-constexpr std::array<VelocityRow, 4> velocities{{
+constexpr std::array<VelocityRow, 5> velocities{{
     {"uniform", read_uniform},
     {"radial", read_radial},
     {"radial-inverse", read_radial_inverse},
     {"rotation", read_rotation},
+    {"pulse", read_pulse},
 }};
 
 }  // namespace

@@ -26,5 +26,6 @@ VelocityPointer read_uniform(Section& section, int dimensions);
 VelocityPointer read_radial(Section& section, int dimensions);
 VelocityPointer read_radial_inverse(Section& section, int dimensions);
 VelocityPointer read_rotation(Section& section, int dimensions);
+VelocityPointer read_pulse(Section& section, int dimensions);
 
 }  // namespace tektite::preprocess

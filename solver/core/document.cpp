@@ -16,12 +16,12 @@ std::string joined(const std::string& path, std::string_view key) {
 
 std::string read_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError({{path, 0}, {}, {}, "the scene file cannot be opened", "a TOML file"});
+  if (!file) throw InputError({{path, 0}, {}, {}, "this file cannot be opened", "a TOML file"});
   std::string content;
   std::array<char, 65536> part;
   while (file.read(part.data(), part.size()) || file.gcount() > 0)
     content.append(part.data(), static_cast<std::size_t>(file.gcount()));
-  if (file.bad()) throw InputError({{path, 0}, {}, {}, "the scene file cannot be read", "a TOML file"});
+  if (file.bad()) throw InputError({{path, 0}, {}, {}, "this file cannot be read", "a TOML file"});
   return content;
 }
 

@@ -12,6 +12,10 @@ int run(const Words& arguments);
 int check(const Words& arguments);
 /// Goes on from the newest snapshot.
 int resume(const Words& arguments);
+/// Runs a study and charts accuracy against cost.
+int chart(const Words& arguments);
+/// Writes a page about runs.
+int report(const Words& arguments);
 
 /// Parses the arguments of a command; true where --help or --version was all that was asked.
 /// Throws InputError where they are wrong.

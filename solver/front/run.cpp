@@ -70,6 +70,7 @@ struct Order {
   fs::path folder;
   bool replace = false;
   Words solver_options;
+  Words showing_options;
 };
 
 /// Nullopt where --help or --version was all that was asked. Throws InputError.
@@ -85,10 +86,12 @@ std::optional<Order> read_order(const Words& arguments) {
   line.options.add_options()("output,o", po::value(&output)->value_name("DIR"),
                              "folder of the run; else runs/NAME-VARIANT")(
       "threads", po::value(&threads)->value_name("N"), "threads to compute with; else all processors")(
-      "replace", po::bool_switch(&order.replace), "replace the run that DIR holds");
+      "replace", po::bool_switch(&order.replace), "replace the run that DIR holds")("no-pictures",
+                                                                                    "numbers and ParaView files only");
   po::variables_map values;
   if (parse(line, arguments, values)) return std::nullopt;
   if (values.contains("threads")) order.solver_options = {"--threads", std::to_string(threads)};
+  if (values.contains("no-pictures")) order.showing_options = {"--no-pictures"};
   const auto name = order.scene.run_name();
   order.folder = output.empty() ? fs::path("runs") / name : fs::path(output);
   return order;
@@ -110,7 +113,7 @@ int run(const Words& arguments) {
 
   if (const auto reference = order->scene.reference(); !reference.empty())
     fs::copy_file(reference, order->folder / reference_name);
-  return solve_and_show(order->folder.string(), order->solver_options);
+  return solve_and_show(order->folder.string(), order->solver_options, order->showing_options);
 }
 
 }  // namespace tektite::front

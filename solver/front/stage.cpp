@@ -62,6 +62,12 @@ std::vector<char*> argument_vector(Words& words) {
   return vector;
 }
 
+/// Gives the process its signal mask back.
+struct Restore {
+  sigset_t mask;
+  ~Restore() { ::sigprocmask(SIG_SETMASK, &mask, nullptr); }
+};
+
 Words with_program(const std::string& path, const Words& arguments) {
   Words words{path};
   words.insert(words.end(), arguments.begin(), arguments.end());
@@ -70,28 +76,14 @@ Words with_program(const std::string& path, const Words& arguments) {
 
 /// Starts a child; a signal that comes while it starts waits until the child is known.
 pid_t start(const std::string& path, const Words& arguments, Show show) {
-  auto words = with_program(path, arguments);
-  const auto vector = argument_vector(words);
   sigset_t both, before;
   sigemptyset(&both);
   sigaddset(&both, SIGINT);
   sigaddset(&both, SIGTERM);
   ::sigprocmask(SIG_BLOCK, &both, &before);
-  posix_spawnattr_t attributes;
-  ::posix_spawnattr_init(&attributes);
-  ::posix_spawnattr_setsigdefault(&attributes, &both);
-  ::posix_spawnattr_setsigmask(&attributes, &before);
-  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
-  posix_spawn_file_actions_t files;
-  ::posix_spawn_file_actions_init(&files);
-  if (show == Show::nothing) ::posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-  pid_t child = 0;
-  const int fault = ::posix_spawn(&child, path.c_str(), &files, &attributes, vector.data(), environ);
-  ::posix_spawn_file_actions_destroy(&files);
-  ::posix_spawnattr_destroy(&attributes);
-  child_running = fault == 0 ? child : 0;
-  ::sigprocmask(SIG_SETMASK, &before, nullptr);
-  if (fault != 0) throw RunError(fmt::format("{}: cannot be started: {}", path, std::strerror(fault)));
+  const Restore restore{before};
+  const auto child = spawn(path, arguments, {show == Show::nothing ? "/dev/null" : "", ""}, before);
+  child_running = child;
   return child;
 }
 
@@ -107,6 +99,33 @@ std::string program_of(Stage stage) {
       return "tektite-postprocess";
   }
   return {};
+}
+
+pid_t spawn(const std::string& path, const Words& arguments, const Streams& streams, const sigset_t& mask) {
+  auto words = with_program(path, arguments);
+  const auto vector = argument_vector(words);
+  sigset_t ours;
+  sigemptyset(&ours);
+  for (const int signal : {SIGINT, SIGTERM, SIGCHLD}) sigaddset(&ours, signal);
+  posix_spawnattr_t attributes;
+  ::posix_spawnattr_init(&attributes);
+  ::posix_spawnattr_setsigdefault(&attributes, &ours);
+  ::posix_spawnattr_setsigmask(&attributes, &mask);
+  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
+  posix_spawn_file_actions_t files;
+  ::posix_spawn_file_actions_init(&files);
+  const auto lead = [&](int stream, const std::string& file) {
+    if (!file.empty())
+      ::posix_spawn_file_actions_addopen(&files, stream, file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  };
+  lead(STDOUT_FILENO, streams.output);
+  lead(STDERR_FILENO, streams.faults);
+  pid_t child = 0;
+  const int fault = ::posix_spawn(&child, path.c_str(), &files, &attributes, vector.data(), environ);
+  ::posix_spawn_file_actions_destroy(&files);
+  ::posix_spawnattr_destroy(&attributes);
+  if (fault != 0) throw RunError(fmt::format("{}: cannot be started: {}", path, std::strerror(fault)));
+  return child;
 }
 
 int run_stage(Stage stage, const Words& arguments, Show show) {

@@ -1,6 +1,7 @@
 #pragma once
 // The stage programs as children of the front.
 
+#include <csignal>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,16 @@ enum class Show { output, nothing };
 /// has told its own fault. Throws RunError where the program is not there, was ended by a signal, or was interrupted
 /// and ended without a fault.
 int run_stage(Stage stage, const Words& arguments, Show show = Show::output);
+
+/// Files that a child writes to in place of this program's standard output and standard error; empty: none.
+struct Streams {
+  std::string output;
+  std::string faults;
+};
+
+/// Starts a program, which takes SIGINT, SIGTERM and SIGCHLD as it is usual and blocks the signals of `mask`, and gives
+/// its process. Throws RunError where it cannot be started.
+pid_t spawn(const std::string& path, const Words& arguments, const Streams& streams, const sigset_t& mask);
 
 /// Becomes the program of a stage. Throws RunError where the program is not there.
 [[noreturn]] void become_stage(Stage stage, const Words& arguments);

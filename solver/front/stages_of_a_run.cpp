@@ -18,13 +18,14 @@ int make_particles(const SceneArguments& scene, const std::string& path, Show sh
   return run_stage(Stage::preprocess, words, show);
 }
 
-int solve_and_show(const std::string& folder, const Words& solver_options) {
+int solve_and_show(const std::string& folder, const Words& solver_options, const Words& showing_options) {
   Words solving{folder};
   solving.insert(solving.end(), solver_options.begin(), solver_options.end());
   if (const int code = run_stage(Stage::solve, solving); code != exit_done) return code;
   Words showing{folder};
   const auto reference = std::filesystem::path(folder) / reference_name;
   if (std::filesystem::exists(reference)) showing.insert(showing.end(), {"--reference", reference.string()});
+  showing.insert(showing.end(), showing_options.begin(), showing_options.end());
   return run_stage(Stage::postprocess, showing);
 }
 

@@ -19,6 +19,6 @@ int check_scene(Stage stage, const SceneArguments& scene);
 int make_particles(const SceneArguments& scene, const std::string& path, Show show = Show::output);
 
 /// Solves the run in `folder`, measures and draws it, and sets it beside what was published.
-int solve_and_show(const std::string& folder, const Words& solver_options);
+int solve_and_show(const std::string& folder, const Words& solver_options, const Words& showing_options = {});
 
 }  // namespace tektite::front

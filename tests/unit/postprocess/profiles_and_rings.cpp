@@ -95,3 +95,30 @@ TEST_CASE("Profiles: the error is the mean difference over the range of the exac
   // Moving both waves by half a spacing of ten changes 0.05 · (20 + 20) of 40.
   CHECK(values.at("error_l1").uncertainty == Approx(0.05));
 }
+
+TEST_CASE("Profiles: a pulse has parted into two halves of half the speed") {
+  // Width 4 mm about 20 mm, at rest in between; after 8 us at 1 km/s the halves are at 12 mm and 28 mm.
+  const auto half_of = [](double x, double centre) {
+    const double share = (x - centre) / 4e-3;
+    return std::abs(share) < 0.5 ? 20.0 * std::pow(std::cos(std::numbers::pi * share), 4) : 0.0;
+  };
+  const std::string scene =
+      "[measure.error_l1_pulse]\nbody = 'bar'\nspeed = 40\ncentre = 2e-2\nwidth = 4e-3\nwave_speed = 1000\n";
+  for (const double factor : {1.0, 0.7}) {
+    std::vector<test::Placed> start, placed;
+    for (int k = 0; k < 40; ++k) {
+      const double x = (k + 0.5) * test::spacing;
+      start.push_back({"bar", {x, 0.0, 0.0}, {0.0, 0.0, 0.0}});
+      // It has also been carried 3 mm along, which is nothing to the wave in the bar.
+      placed.push_back({"bar", {x + 3e-3, 0.0, 0.0}, {factor * (half_of(x, 12e-3) + half_of(x, 28e-3)), 0.0, 0.0}});
+    }
+    Event event;
+    const std::string text = "name = 'bar'\nspace = 'line'\n";
+    event.initial = make_whole(test::snapshot_of(Space::line, start, 0.0, text, test::as_it_is), {});
+    event.last_snapshot = test::snapshot_of(Space::line, placed, 8e-6, text, test::as_it_is);
+    event.last = make_whole(event.last_snapshot, {});
+    const auto error = measured(scene, {Space::line, {"bar"}, {}}, event).at("error_l1_pulse");
+    CHECK(error.value == Approx(1.0 - factor).margin(1e-12));
+    CHECK(error.uncertainty > 0.0);
+  }
+}

@@ -44,9 +44,18 @@ TEST_CASE("Velocity: rotation is omega cross r, about z in the plane and about a
   CHECK(solid[0] == Approx(0.0));
 }
 
+TEST_CASE("Velocity: a pulse is highest at its centre, a quarter of that a quarter of its width off, and ends") {
+  const auto velocity = velocity_of("{ type = 'pulse', speed = 2, centre = 1, width = 0.4 }", 1);
+  CHECK(velocity->at({{1.0, 0, 0}})[0] == Approx(2.0));
+  CHECK(velocity->at({{1.1, 0, 0}})[0] == Approx(0.5));  // cos⁴(π/4) = 1/4
+  CHECK(velocity->at({{0.9, 0, 0}})[0] == Approx(0.5));
+  CHECK(velocity->at({{1.2, 0, 0}})[0] == 0.0);
+  CHECK(velocity->at({{3.0, 0, 0}})[0] == 0.0);
+}
+
 TEST_CASE("Velocity: wrong ones are refused") {
   CHECK_THAT(test::fault_of([] { velocity_of("{ type = 'spin' }", 2); }),
-             Catch::Contains("uniform, radial, radial-inverse, rotation"));
+             Catch::Contains("uniform, radial, radial-inverse, rotation, pulse"));
   CHECK_THAT(test::fault_of([] { velocity_of("['3 m', 0]", 2); }), Catch::Contains("speed"));
   CHECK_THAT(test::fault_of([] { velocity_of("[1, 2, 3]", 2); }), Catch::Contains("list of 2 values"));
   CHECK_THAT(test::fault_of([] { velocity_of("{ type = 'rotation', rate = 1 }", 1); }), Catch::Contains("line"));

@@ -1,0 +1,138 @@
+// tektite chart as a user meets it: a tiny study, twice, with a member that fails, and wrong studies.
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "support/program.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using Catch::Matchers::Contains;
+using tektite::test::content_of;
+using tektite::test::run_in;
+using tektite::test::TemporaryFolder;
+
+/// A short bar whose elastic wave is exact, by two schemes and one that cannot run it.
+const std::string scene = R"(
+name = "bar"
+space = "line"
+spacing = "8 mm"
+[material.metal]
+density = "2785 kg/m3"
+eos = { model = "linear", bulk_modulus = "79 GPa" }
+[body.bar]
+material = "metal"
+shape = { type = "segment", lower = 0, upper = "0.4 m" }
+velocity = { type = "pulse", speed = "0.1 m/s", centre = "0.2 m", width = "0.2 m" }
+[time]
+end = "5 us"
+[measure.error_l1_pulse]
+body = "bar"
+speed = "0.1 m/s"
+centre = "0.2 m"
+width = "0.2 m"
+wave_speed = "5326 m/s"
+)";
+
+const std::string study = R"(name = "tiny"
+scene = "scene.toml"
+resolutions = [{ factor = 2 }, { factor = 1 }]
+target = 0.2
+[[error]]
+measure = "error_l1_pulse"
+[line.eulerian]
+[line.viscous]
+set = ["viscosity = { model = 'monaghan', alpha = 2.0, beta = 2.0 }"]
+[line.impossible]
+title = "no such kernel"
+set = ["smoothing.kernel = 'truncated-gaussian'", "scheme.type = 'msph'", "scheme.correction = 'mixed'"]
+)";
+
+struct Workplace {
+  Workplace() {
+    write("scene.toml", scene);
+    write("study.toml", study);
+  }
+  void write(const std::string& file, const std::string& text) const { std::ofstream(folder.file(file)) << text; }
+  std::string content(const std::string& file) const { return content_of(folder.file(file)); }
+  tektite::test::Outcome chart(std::vector<std::string> words = {"study.toml", "-o", "out"}) const {
+    words.insert(words.begin(), {TEKTITE_PROGRAM, "chart"});
+    return run_in(folder.path(), words);
+  }
+  TemporaryFolder folder;
+};
+
+TEST_CASE("Chart: a study leaves table, page and pictures, names what failed, and is not done twice") {
+  const Workplace place;
+  const auto first = place.chart();
+  INFO(first.faults << first.output);
+  REQUIRE(first.code == 0);
+  const auto page = place.content("out/chart.md");
+  CHECK_THAT(page, Contains("| `eulerian` | 1 |") && Contains("* `impossible-2` failed: ") &&
+                       Contains("Which is cheapest for an error of 20 %?"));
+  CHECK_THAT(first.output, Contains(page));
+  CHECK_THAT(first.output, Contains("impossible-1 failed: ") && Contains("correction"));
+  CHECK_THAT(place.content("out/chart.csv"), Contains("\nviscous,1,0.008,50,"));
+  CHECK_THAT(place.content("out/chart.png"), Catch::StartsWith("\x89PNG"));
+  const auto drawing = place.content("out/chart.svg");
+  CHECK_THAT(drawing, Contains("<svg") && Contains("viscous") && Contains("no such kernel (failed)"));
+
+  SECTION("the second time nothing is run") {
+    const auto written = fs::last_write_time(place.folder.file("out/runs/viscous-1/measurements.json"));
+    const auto table = place.content("out/chart.csv");
+    fs::remove(place.folder.file("out/chart.csv"));
+    const auto second = place.chart();
+    CHECK(second.code == 0);
+    CHECK_THAT(second.output, Contains("impossible-1: done already") && Contains("viscous-1: done already"));
+    CHECK(fs::last_write_time(place.folder.file("out/runs/viscous-1/measurements.json")) == written);
+    CHECK(place.content("out/chart.csv") == table);
+  }
+  SECTION("what is missing or has changed is run, and nothing else") {
+    fs::remove(place.folder.file("out/runs/eulerian-1.scene.toml"));  // as where the run was interrupted
+    auto changed = study;
+    changed.replace(changed.find("alpha = 2.0"), 11, "alpha = 1.0");
+    place.write("study.toml", changed);
+    const auto second = place.chart();
+    CHECK(second.code == 0);
+    CHECK_THAT(second.output,
+               Contains("of 3: ") && Contains("eulerian-2: done already") && Contains("impossible-2: done already"));
+    CHECK_THAT(second.output, !Contains("viscous-2: done already") && !Contains("eulerian-1: done already"));
+  }
+}
+
+TEST_CASE("Chart: a study in which every run fails says so and fails") {
+  const Workplace place;
+  auto hopeless = study;
+  hopeless.replace(hopeless.find("resolutions"), 0, "set = [\"scheme.courant = -1\"]\n");
+  place.write("study.toml", hopeless);
+  const auto outcome = place.chart();
+  CHECK(outcome.code == 1);
+  CHECK_THAT(outcome.output, Contains("`viscous-1` failed: ") && Contains("No run has a result."));
+}
+
+TEST_CASE("Chart: a wrong study is refused with its place before anything is run") {
+  const Workplace place;
+  const auto refused = [&](const std::string& old, const std::string& now) {
+    auto wrong = study;
+    wrong.replace(wrong.find(old), old.size(), now);
+    place.write("study.toml", wrong);
+    const auto outcome = place.chart();
+    CHECK(outcome.code == 2);
+    CHECK_FALSE(fs::exists(place.folder.file("out")));
+    return outcome.faults;
+  };
+  CHECK_THAT(refused("target", "targt"), Contains("study.toml:4") && Contains("targt") && Contains("target"));
+  CHECK_THAT(refused("title", "titel"), Contains("line.impossible.titel") && Contains("did you mean title?"));
+  CHECK_THAT(refused("factor = 2", "factor = 0"), Contains("study.toml:3") && Contains("out of range"));
+  CHECK_THAT(refused("factor = 2", "factor = 1"), Contains("stands twice"));
+  CHECK_THAT(refused("factor = 2", "factors = 2"), Contains("resolutions[0]"));
+  CHECK_THAT(refused("error_l1_pulse", "error_l1"), Contains("study.toml:6") && Contains("error_l1_pulse"));
+  CHECK_THAT(refused("[line.viscous]", "[line.viscous]\nvariant = 'soft'"), Contains("no such variant"));
+  CHECK_THAT(refused("scene.toml", "other.toml"), Contains("other.toml") && Contains("cannot be opened"));
+  CHECK_THAT(place.chart({"study.toml", "--jobs", "0"}).faults, Contains("--jobs"));
+  CHECK_THAT(place.chart({"none.toml"}).faults, Contains("none.toml"));
+}
+
+}  // namespace

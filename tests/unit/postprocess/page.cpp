@@ -1,0 +1,110 @@
+// The page about runs: whole, well-formed, and nothing that it would have to fetch.
+
+#include <vtkSmartPointer.h>
+#include <vtkXMLDataElement.h>
+#include <vtkXMLUtilities.h>
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+
+#include "postprocess/page/html.hpp"
+#include "postprocess/page/page.hpp"
+#include "postprocess/pipeline.hpp"
+#include "support/fault.hpp"
+#include "support/program.hpp"
+#include "support/temporary_folder.hpp"
+#include "unit/postprocess/synthetic.hpp"
+
+namespace tektite::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Catch::Matchers::Contains;
+
+const std::string trouble = "<b>\"3 > 2\" & 'so on'</b>";
+
+/// A run that has been measured, with a title and a source that would break a careless page.
+void write_run(const std::string& folder, double peak) {
+  const auto space = Space::plane_strain;
+  auto text = scene_text(space, false);
+  text.replace(text.find("Disc through a plate"), 20, "Disc & plate <fast>");
+  const auto particles = snapshot_of(space, impact(space, nullptr, false), 8e-6, text, as_it_is);
+  fs::create_directories(folder + "/snapshots");
+  fs::create_directories(folder + "/pictures");
+  write_snapshot(particles, folder + "/snapshots/000000.h5");
+  std::ofstream(folder + "/history.csv") << "step,time,kinetic_energy,centre.pressure\n0,0,4,0\n1,4e-6,3," << peak
+                                         << "\n2,8e-6,2,-1e8\n";
+  std::ofstream(folder + "/solve.json") << R"({"steps": 2, "scheme": "eulerian", "threads": 2, "cpu_seconds": 12.5,
+    "energy_drift": 1e-4, "version": "0"})";
+  std::ofstream(folder + "/reference.toml")
+      << "[[reference]]\nmeasure = \"peak_pressure\"\npublished = \"2 GPa\"\nwithin_relative = 0.1\nsource = '''"
+      << trouble << "'''\n";
+  std::ofstream(folder + "/pictures/pressure.png", std::ios::binary) << "\x89PNG not really";
+  PostprocessOptions options;
+  options.run = folder;
+  options.reference = folder + "/reference.toml";
+  options.pictures = false;
+  postprocess(options);
+}
+
+/// The tags of the page are all closed, in order, and its entities known.
+bool is_well_formed(const std::string& page) {
+  const auto root = vtkSmartPointer<vtkXMLDataElement>::Take(
+      vtkXMLUtilities::ReadElementFromString(page.substr(page.find('\n') + 1).c_str()));
+  return root && std::string(root->GetName()) == "html" && root->FindNestedElementWithName("body");
+}
+
+}  // namespace
+
+TEST_CASE("Page: text is escaped, and base 64 is that of RFC 4648") {
+  CHECK(escaped(trouble) == "&lt;b&gt;&quot;3 &gt; 2&quot; &amp; &#39;so on&#39;&lt;/b&gt;");
+  CHECK(escaped(std::string("a\x01") + "b\n") == "a b\n");
+  CHECK(base64("") == "");
+  CHECK(base64("f") == "Zg==");
+  CHECK(base64("fo") == "Zm8=");
+  CHECK(base64("foo") == "Zm9v");
+  CHECK(base64("foobar") == "Zm9vYmFy");
+  CHECK(base64("\xff\xfe") == "//4=");
+}
+
+TEST_CASE("Page: a run with its cost, measures, history, picture and scene, well-formed and with no link") {
+  const TemporaryFolder folder;
+  write_run(folder.path(), 2.1e9);
+  write_page({folder.path()}, folder.file("report.html"));
+  const auto page = content_of(folder.file("report.html"));
+  CHECK(is_well_formed(page));
+  CHECK_FALSE(is_well_formed(page.substr(0, page.find("</table>")) + page.substr(page.find("</table>") + 8)));
+  CHECK_THAT(page, Contains("<title>Disc &amp; plate &lt;fast&gt;</title>") && Contains(escaped(trouble)) &&
+                       !Contains(trouble));
+  CHECK_THAT(page, Contains("<td>12.5 s</td>") && Contains("2.1 GPa ± ") && Contains("(+5.0 %), within"));
+  CHECK_THAT(page, Contains("<svg ") && Contains(">kinetic_energy</text>") && Contains(">centre.pressure</text>"));
+  CHECK_THAT(page, Contains("src=\"data:image/png;base64,iVBORyBub3QgcmVhbGx5\""));
+  CHECK_THAT(page, Contains("[measure.peak_pressure]") && !Contains("#@ "));
+  CHECK_THAT(page, Contains("prefers-color-scheme: dark") && Contains("@media print"));
+  for (const auto* fetched : {"http", "href", "url(", "<script", "@import"}) CHECK_THAT(page, !Contains(fetched));
+}
+
+TEST_CASE("Page: several runs stand side by side, each with its own values") {
+  const TemporaryFolder folder;
+  write_run(folder.file("one"), 2.1e9);
+  write_run(folder.file("two"), 3.0e9);
+  fs::remove_all(folder.file("two/pictures"));
+  const auto page = page_of({read_run_data(folder.file("one")), read_run_data(folder.file("two"))});
+  CHECK(is_well_formed(page));
+  CHECK_THAT(page, Contains("(+5.0 %), within</td><td>3 GPa ± ") && Contains("(+50.0 %), outside"));
+  CHECK_THAT(page, Contains("and 1 more"));
+  CHECK_THAT(page, Contains("<figure><figcaption>" + folder.file("two")));  // where it has no picture
+}
+
+TEST_CASE("Page: a folder that is no run, or has not been measured, is refused") {
+  const TemporaryFolder folder;
+  CHECK_THAT(fault_of([&] { read_run_data(folder.path()); }), Contains("holds no particles"));
+  write_run(folder.path(), 2e9);
+  fs::remove(folder.file("measurements.json"));
+  CHECK_THAT(fault_of([&] { read_run_data(folder.path()); }), Contains("has not been measured"));
+  std::ofstream(folder.file("measurements.json")) << "[1]";
+  CHECK_THAT(fault_of([&] { read_run_data(folder.path()); }), Contains("not what"));
+}
+
+}  // namespace tektite::test
