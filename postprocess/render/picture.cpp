@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/plain_name.hpp"
 #include "core/units.hpp"
 #include "postprocess/scalar_field.hpp"
 
@@ -99,8 +100,7 @@ std::vector<Picture> read_pictures(Section& root, const Declared& declared) {
   for (auto& [name, section] : root.named_sections("picture")) {
     Picture picture;
     picture.name = name;
-    if (name.find_first_of("/\\ ") != std::string::npos)
-      throw section.fault("", "names a file, so it must be plain", "letters, digits, _ and -");
+    if (!is_plain_name(name)) throw section.fault("", "names a file, so it must be plain", plain_characters);
     if (section.choice("type", types, "particles") == "history") {
       picture.type = PictureType::history;
       picture.columns = section.texts("columns", {"kinetic_energy", "internal_energy", "total_energy"});

@@ -2,7 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -13,6 +13,7 @@
 #include <filesystem>
 
 #include "core/error.hpp"
+#include "core/program.hpp"
 
 namespace tektite::front {
 namespace {
@@ -23,7 +24,7 @@ volatile std::sig_atomic_t signal_received = 0;
 
 void note_signal(int signal) {
   signal_received = signal;
-  if (signal == SIGTERM && child_running > 0) ::kill(static_cast<pid_t>(child_running), signal);
+  if (child_running > 0) ::kill(static_cast<pid_t>(child_running), signal);
 }
 
 /// While it lives, SIGINT and SIGTERM are noted and do not end this program.
@@ -68,6 +69,20 @@ Words with_program(const std::string& path, const Words& arguments) {
   return words;
 }
 
+/// The child on its way to be the program: as a program of its own it starts with the usual signals, and it is told to
+/// end where the front is killed.
+[[noreturn]] void become(const std::string& path, char* const* words, const sigset_t& signals, pid_t front, Show show) {
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  if (::getppid() != front) ::_exit(exit_failed);
+  ::signal(SIGINT, SIG_DFL);
+  ::signal(SIGTERM, SIG_DFL);
+  ::sigprocmask(SIG_SETMASK, &signals, nullptr);
+  if (show == Show::nothing) ::dup2(::open("/dev/null", O_WRONLY), STDOUT_FILENO);
+  ::execv(path.c_str(), words);
+  fmt::print(stderr, "tektite: error: {}: cannot be started: {}\n", path, std::strerror(errno));
+  ::_exit(exit_failed);
+}
+
 /// Starts a child; a signal that comes while it starts waits until the child is known.
 pid_t start(const std::string& path, const Words& arguments, Show show) {
   auto words = with_program(path, arguments);
@@ -77,21 +92,13 @@ pid_t start(const std::string& path, const Words& arguments, Show show) {
   sigaddset(&both, SIGINT);
   sigaddset(&both, SIGTERM);
   ::sigprocmask(SIG_BLOCK, &both, &before);
-  posix_spawnattr_t attributes;
-  ::posix_spawnattr_init(&attributes);
-  ::posix_spawnattr_setsigdefault(&attributes, &both);
-  ::posix_spawnattr_setsigmask(&attributes, &before);
-  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
-  posix_spawn_file_actions_t files;
-  ::posix_spawn_file_actions_init(&files);
-  if (show == Show::nothing) ::posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-  pid_t child = 0;
-  const int fault = ::posix_spawn(&child, path.c_str(), &files, &attributes, vector.data(), environ);
-  ::posix_spawn_file_actions_destroy(&files);
-  ::posix_spawnattr_destroy(&attributes);
-  child_running = fault == 0 ? child : 0;
+  const pid_t front = ::getpid();
+  const pid_t child = ::fork();
+  const int fault = errno;
+  if (child == 0) become(path, vector.data(), before, front, show);
+  child_running = child > 0 ? child : 0;
   ::sigprocmask(SIG_SETMASK, &before, nullptr);
-  if (fault != 0) throw RunError(fmt::format("{}: cannot be started: {}", path, std::strerror(fault)));
+  if (child < 0) throw RunError(fmt::format("{}: cannot be started: {}", path, std::strerror(fault)));
   return child;
 }
 
