@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
 #include "core/error.hpp"
+#include "core/snapshot_files.hpp"
 
 namespace tektite {
 namespace {
@@ -14,12 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::vector<std::string> particle_files(const fs::path& folder) {
-  std::vector<std::string> files;
-  if (fs::is_directory(folder / "snapshots"))
-    for (const auto& entry : fs::directory_iterator(folder / "snapshots"))
-      if (entry.path().extension() == ".h5" && entry.path().stem().extension() != ".part")
-        files.push_back(entry.path().string());
-  std::sort(files.begin(), files.end());
+  auto files = snapshot_files(folder);
   if (files.empty() && fs::exists(folder / "particles.h5")) files.push_back((folder / "particles.h5").string());
   return files;
 }

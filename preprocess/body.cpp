@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -47,6 +48,11 @@ void check_size(const BodyPlan& plan, double spacing, double most_particles) {
           "shape",
           fmt::format("the body is thinner than one spacing: {:g} m along {} against {:g} m; is the unit right?",
                       box.extent(k), static_cast<char>('x' + k), spacing));
+  for (int k = 0; k < plan.shape->dimensions(); ++k)
+    if (std::max(-box.lower[k], box.upper[k]) > most_spacings * spacing)
+      throw plan.section.fault("shape", fmt::format("the body reaches further from the origin than {:.0g} spacings "
+                                                    "along {}; is the unit right?",
+                                                    most_spacings, static_cast<char>('x' + k)));
   const double cell = plan.arrangement.arrangement->cell_factor() * std::pow(spacing, plan.shape->dimensions());
   if (const double estimate = plan.shape->measure() / cell; estimate > most_particles)
     throw plan.section.fault(

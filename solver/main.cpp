@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
     line.options.add_options()("resume", "go on from the newest snapshot")(
         "threads", po::value<int>()->default_value(0), "threads to use (0: all that there are)")(
         "check", po::value<std::string>(), "say what a run of these particles would do; compute nothing that is kept");
-    line.hidden.add_options()("folder", po::value<std::string>());
+    line.hidden.add_options()("folder", po::value<std::string>())("lock", po::value<int>()->default_value(-1));
     line.positional.add("folder", 1);
     po::variables_map values;
     if (parse_command_line(line, argc, argv, values)) return int{exit_done};
@@ -28,6 +28,8 @@ int main(int argc, char** argv) {
       return int{exit_done};
     }
     if (!values.contains("folder")) throw InputError("the folder of the run is missing; see --help");
-    return int{run({values["folder"].as<std::string>(), values.contains("resume"), threads}) ? exit_done : exit_failed};
+    const RunOptions options{values["folder"].as<std::string>(), values.contains("resume"), threads,
+                             values["lock"].as<int>()};
+    return int{run(options) ? exit_done : exit_failed};
   });
 }

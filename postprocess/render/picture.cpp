@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/plain_name.hpp"
 #include "core/units.hpp"
 #include "postprocess/scalar_field.hpp"
 
@@ -117,8 +118,7 @@ std::vector<Picture> read_pictures(Section& root, const Declared& declared) {
   for (auto& [name, section] : root.named_sections("picture")) {
     Picture picture;
     picture.name = name;
-    if (name.find_first_of("/\\ ") != std::string::npos)
-      throw section.fault("", "names a file, so it must be plain", "letters, digits, _ and -");
+    if (!is_plain_name(name)) throw section.fault("", "names a file, so it must be plain", plain_characters);
     const auto type = section.choice("type", types, types.front());
     if (type == "history") {
       picture.type = PictureType::history;

@@ -18,6 +18,9 @@ namespace tektite::preprocess {
 
 inline constexpr double edge_tolerance = 1e-9;
 
+/// Bodies do not reach further from the origin, in spacings: coordinates there are rounded to 1e-7 spacings.
+inline constexpr double most_spacings = 1e9;
+
 /// The places of a body's particles, and the length, area or volume (m, m², m³) of the cell that each stands for.
 struct Filling {
   std::vector<Point> positions;
@@ -41,8 +44,10 @@ class Arrangement {
 
 using ArrangementPointer = std::unique_ptr<Arrangement>;
 
-/// floor and ceil of a number of spacings, where whole numbers are whole within the tolerance.
+/// floor and ceil of a number of spacings, where whole numbers are whole within the tolerance; and the nearest whole
+/// number. Throw InputError where there are more spacings than places can be told apart.
 long long floor_within(double spacings);
 long long ceil_within(double spacings);
+long long nearest_whole(double spacings);
 
 }  // namespace tektite::preprocess

@@ -56,7 +56,7 @@ class Lattice : public Arrangement {
     if (convention_ == Convention::cell_centred)
       return {lower + 0.5 * spacing, spacing, floor_within(extent / spacing - 0.5) + 1};
     if (convention_ == Convention::edges_included) {
-      const auto intervals = std::max(std::llround(extent / spacing), 1LL);
+      const auto intervals = std::max(nearest_whole(extent / spacing), 1LL);
       return {lower, extent / static_cast<double>(intervals), intervals + 1};
     }
     const double start = convention_ == Convention::on_origin ? origin : origin + 0.5 * spacing;

@@ -18,7 +18,7 @@ Rounding read_rounding(Section& section, const std::string& key, const std::stri
 
 std::size_t ring_count(double radius_in_spacings, Rounding rounding) {
   const double spacings = 2.0 * std::numbers::pi * radius_in_spacings;
-  const auto count = rounding == Rounding::nearest ? std::llround(spacings) : floor_within(spacings);
+  const auto count = rounding == Rounding::nearest ? nearest_whole(spacings) : floor_within(spacings);
   return static_cast<std::size_t>(std::max(count, 1LL));
 }
 
@@ -44,7 +44,7 @@ Round expect_round(const Shape& shape, const char* arrangement, const char* allo
 
 std::vector<double> radii(const Round& round, double spacing, bool edges_included) {
   const double thickness = round.outer - round.inner;
-  const auto intervals = std::max(std::llround(thickness / spacing), 1LL);
+  const auto intervals = std::max(nearest_whole(thickness / spacing), 1LL);
   const double step = thickness / static_cast<double>(intervals);
   std::vector<double> result;
   for (long long k = 0; k < intervals + (edges_included ? 1 : 0); ++k)

@@ -1,8 +1,11 @@
 #include "preprocess/arrangement/rows.hpp"
 
+#include <fmt/format.h>
+
 #include <exception>
 #include <numeric>
 
+#include "core/error.hpp"
 #include "preprocess/progress.hpp"
 
 namespace tektite::preprocess {
@@ -48,9 +51,24 @@ void for_each_row(const Shape& shape, const Rows& rows, double tolerance, const 
   if (failure) std::rethrow_exception(failure);
 }
 
+/// Throws InputError where looking at every place would take too long or too much memory: a body may fill only a small
+/// part of the box around it.
+void check_places(const Rows& rows) {
+  if (rows.count == 0) return;
+  constexpr double most_places = 1e10;  // some minutes
+  constexpr double most_rows = 2e8;     // some GB
+  const auto count = static_cast<double>(rows.count);
+  const auto places = count * static_cast<double>(rows.row(0).count);
+  if (places > most_places || count > most_rows)
+    throw InputError(fmt::format(
+        "the box around the body has {:.2g} places in {:.2g} rows, more than {:.2g} or {:.2g}; is the unit right?",
+        places, count, most_places, most_rows));
+}
+
 }  // namespace
 
 std::vector<Point> fill_rows(const Shape& shape, const Rows& rows, double tolerance) {
+  check_places(rows);
   std::vector<std::vector<Stretch>> kept(rows.count);
   std::vector<std::size_t> first(rows.count + 1, 0);
   for_each_row(shape, rows, tolerance, [&](std::size_t k, std::span<const std::uint8_t> inside) {
@@ -70,6 +88,7 @@ std::vector<Point> fill_rows(const Shape& shape, const Rows& rows, double tolera
 }
 
 std::size_t count_rows(const Shape& shape, const Rows& rows, double tolerance) {
+  check_places(rows);
   std::vector<std::size_t> counts(rows.count, 0);
   for_each_row(shape, rows, tolerance, [&](std::size_t k, std::span<const std::uint8_t> inside) {
     counts[k] = static_cast<std::size_t>(std::accumulate(inside.begin(), inside.end(), std::size_t{0}));

@@ -16,7 +16,7 @@ namespace {
 using std::numbers::pi;
 
 std::size_t shell_count(double radius_in_spacings) {
-  return static_cast<std::size_t>(std::max(std::llround(4.0 * pi * radius_in_spacings * radius_in_spacings), 1LL));
+  return static_cast<std::size_t>(std::max(nearest_whole(4.0 * pi * radius_in_spacings * radius_in_spacings), 1LL));
 }
 
 void append_shell(std::vector<Point>& positions, const Point& centre, double radius, std::size_t count) {

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/apart.hpp"
 #include "core/error.hpp"
 #include "preprocess/geometry/mesh_format.hpp"
 #include "preprocess/geometry/surface_mesh.hpp"
@@ -33,10 +34,15 @@ struct Soup {
 
 std::string shown(const Corner& p) { return fmt::format("({:g}, {:g}, {:g}) m", p.x(), p.y(), p.z()); }
 
+bool parse(const std::string& path, Soup& soup) {
+  return CGAL::IO::read_polygon_soup(path, soup.points, soup.polygons, CGAL::parameters::verbose(false));
+}
+
 Soup read_soup(const std::string& path, double metres) {
   check_mesh_format(path);
   Soup soup;
-  if (!CGAL::IO::read_polygon_soup(path, soup.points, soup.polygons, CGAL::parameters::verbose(false)))
+  // CGAL's readers take counts on trust, and do not survive all that a damaged file may say.
+  if (!can_be_read(path, [&] { parse(path, soup); }) || !parse(path, soup))
     throw mesh_fault(path, "the mesh cannot be read", "a whole STL, OFF, OBJ or PLY file");
   if (soup.polygons.empty()) throw mesh_fault(path, "the mesh has no faces", "a closed surface");
   for (const auto& polygon : soup.polygons)

@@ -7,6 +7,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "core/plain_name.hpp"
+
 namespace tektite {
 namespace {
 
@@ -46,7 +48,7 @@ constexpr std::string_view line_mark = "#@ line ";
 std::string places_as_comments(const std::map<std::string, Place>& places) {
   std::map<std::string, std::string> lines_by_file;
   for (const auto& [key, place] : places)
-    if (key != "variant" && !key.starts_with("variant."))
+    if (key != "variant" && !key.starts_with("variant.") && key.find_first_of("\r\n") == std::string::npos)
       lines_by_file[place.file] += fmt::format("{}{} {}\n", line_mark, place.line, key);
   std::string comments;
   for (const auto& [file, lines] : lines_by_file) {
@@ -99,6 +101,9 @@ Document Document::load(const std::string& path, const std::string& variant, con
     const auto* all = node->as_table();
     if (!all) throw document.root().fault("variant", "must hold tables", "[variant.NAME]");
     for (const auto& [name, value] : *all) {
+      if (!is_plain_name(name.str()))
+        throw document.root().fault("variant", fmt::format("\"{}\" names a folder, so it must be plain", name.str()),
+                                    plain_characters);
       if (!value.is_table()) throw document.root().fault("variant." + std::string(name.str()), "must be a table");
       document.variants_.emplace_back(name.str());
       if (name.str() == variant) chosen = *value.as_table();

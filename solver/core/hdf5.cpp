@@ -19,11 +19,19 @@ void quiet() {
   static_cast<void>(done);
 }
 
+/// The properties with which something is made. Without the times of its making, equal data make equal files.
+Handle made_without_times(hid_t kind) {
+  Handle properties(H5Pcreate(kind), H5Pclose);
+  H5Pset_obj_track_times(properties.id(), false);
+  return properties;
+}
+
 Handle create_file(const std::string& path) {
   quiet();
+  const auto creation = made_without_times(H5P_FILE_CREATE);
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_libver_bounds(access.id(), H5F_LIBVER_V110, H5F_LIBVER_V110);  // metadata with checksums
-  return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose};
+  return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose};
 }
 
 Handle open_file(const std::string& path) {
@@ -50,7 +58,8 @@ Writer::Writer(const std::string& path) : path_(path), file_(create_file(path)) 
 }
 
 void Writer::group(const std::string& name) {
-  const Handle group(H5Gcreate2(file_.id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+  const auto properties = made_without_times(H5P_GROUP_CREATE);
+  const Handle group(H5Gcreate2(file_.id(), name.c_str(), H5P_DEFAULT, properties.id(), H5P_DEFAULT), H5Gclose);
   if (!group.valid()) throw RunError(fmt::format("{}: {} cannot be written", path_, name));
 }
 
@@ -58,7 +67,7 @@ void Writer::dataset(const std::string& name, hid_t type, const void* values, st
   const std::array<hsize_t, 2> shape{rows, columns};
   const int rank = columns == 1 ? 1 : 2;
   const Handle space(H5Screate_simple(rank, shape.data(), nullptr), H5Sclose);
-  const Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  const auto properties = made_without_times(H5P_DATASET_CREATE);
   if (rows > 0) {
     constexpr hsize_t rows_per_chunk = 65536;
     const std::array<hsize_t, 2> chunk{std::min<hsize_t>(rows, rows_per_chunk), columns};
@@ -151,6 +160,10 @@ Handle Reader::dataset(const std::string& name, hid_t type, std::size_t rows, st
   if (shape[0] != rows || shape[1] != columns)
     throw broken(path_, name,
                  fmt::format("has {} x {} numbers where {} x {} belong", shape[0], shape[1], rows, columns));
+  // A file may claim more than it holds: what is not stored reads as zeros. Packed data may be that much shorter.
+  constexpr hsize_t densest_packing = 1100;  // deflate packs up to 1032 bytes into one
+  if (rows * columns > densest_packing * H5Dget_storage_size(data.id()))
+    throw broken(path_, name, fmt::format("has {} x {} numbers, of which most are not stored", rows, columns));
   return data;
 }
 
@@ -186,12 +199,21 @@ std::string Reader::text(const std::string& name) const {
   return value;
 }
 
-std::string Reader::text_attribute(const std::string& object, const std::string& name) const {
-  const Handle attribute(H5Aopen_by_name(file_.id(), object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+Handle Reader::value_attribute(const std::string& object, const std::string& name) const {
+  Handle attribute(H5Aopen_by_name(file_.id(), object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
   if (!attribute.valid()) throw broken(path_, object + "/@" + name, "is missing");
+  const Handle space(H5Aget_space(attribute.id()), H5Sclose);
+  if (H5Sget_simple_extent_npoints(space.id()) != 1) throw broken(path_, object + "/@" + name, "is no single value");
+  return attribute;
+}
+
+std::string Reader::text_attribute(const std::string& object, const std::string& name) const {
+  const auto attribute = value_attribute(object, name);
   const Handle stored(H5Aget_type(attribute.id()), H5Tclose);
-  if (H5Tget_class(stored.id()) != H5T_STRING || H5Tis_variable_str(stored.id()) > 0)
-    throw broken(path_, object + "/@" + name, "is no text");
+  constexpr std::size_t longest = 1 << 16;
+  if (H5Tget_class(stored.id()) != H5T_STRING || H5Tis_variable_str(stored.id()) > 0 ||
+      H5Tget_size(stored.id()) > longest)
+    throw broken(path_, object + "/@" + name, "is no text of a sensible length");
   std::string value(H5Tget_size(stored.id()), '\0');
   const auto type = text_type(value.size());
   if (H5Aread(attribute.id(), type.id(), value.data()) < 0) throw broken(path_, object + "/@" + name, "cannot be read");
@@ -200,18 +222,17 @@ std::string Reader::text_attribute(const std::string& object, const std::string&
 }
 
 double Reader::real_attribute(const std::string& object, const std::string& name) const {
-  const Handle attribute(H5Aopen_by_name(file_.id(), object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  const auto attribute = value_attribute(object, name);
   double value = 0.0;
-  if (!attribute.valid() || H5Aread(attribute.id(), H5T_NATIVE_DOUBLE, &value) < 0)
-    throw broken(path_, object + "/@" + name, "is missing or no number");
+  if (H5Aread(attribute.id(), H5T_NATIVE_DOUBLE, &value) < 0) throw broken(path_, object + "/@" + name, "is no number");
   return value;
 }
 
 std::int64_t Reader::integer_attribute(const std::string& object, const std::string& name) const {
-  const Handle attribute(H5Aopen_by_name(file_.id(), object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  const auto attribute = value_attribute(object, name);
   std::int64_t value = 0;
-  if (!attribute.valid() || H5Aread(attribute.id(), H5T_NATIVE_INT64, &value) < 0)
-    throw broken(path_, object + "/@" + name, "is missing or no whole number");
+  if (H5Aread(attribute.id(), H5T_NATIVE_INT64, &value) < 0)
+    throw broken(path_, object + "/@" + name, "is no whole number");
   return value;
 }
 
@@ -223,7 +244,8 @@ std::vector<std::string> Reader::attributes(const std::string& object) const {
     static_cast<std::vector<std::string>*>(list)->emplace_back(name);
     return 0;
   };
-  H5Aiterate2(handle.id(), H5_INDEX_NAME, H5_ITER_INC, nullptr, visit, &names);
+  if (H5Aiterate2(handle.id(), H5_INDEX_NAME, H5_ITER_INC, nullptr, visit, &names) < 0)
+    throw broken(path_, object, "has attributes that cannot be listed");
   return names;
 }
 

@@ -66,7 +66,9 @@ class Reader {
   const std::string& path() const { return path_; }
 
  private:
-  /// The dataset, once its type and shape are what is expected: memory is asked for only after that.
+  /// An attribute that is there and holds one value.
+  Handle value_attribute(const std::string& object, const std::string& name) const;
+  /// The dataset, once its type and shape are what is expected and its data are there: memory is asked for only after.
   Handle dataset(const std::string& name, hid_t type, std::size_t rows, std::size_t columns) const;
   void read(const Handle& data, const std::string& name, hid_t type, void* values, std::size_t rows) const;
   std::string path_;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <csignal>
+#include <cstdio>
 #include <iostream>
 #include <new>
 
@@ -11,8 +13,13 @@
 namespace tektite {
 
 int run_program(const std::string& name, const std::function<int()>& body) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is told like a disk that is full
   try {
-    return body();
+    const int code = body();
+    std::cout.flush();
+    if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+      throw RunError("standard output cannot be written (is the disk full?)");
+    return code;
   } catch (const InputError& fault) {
     std::cerr << name << ": error: " << fault.what() << '\n';
     return exit_wrong_input;

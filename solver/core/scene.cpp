@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "core/plain_name.hpp"
+
 namespace tektite {
 namespace {
 
@@ -65,9 +67,7 @@ int axis_named(Section& section, const std::string& key, Space space) {
 Scene read_scene(Section& root, Stage stage) {
   Scene scene;
   scene.name = root.text("name");
-  if (scene.name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") !=
-      std::string::npos)
-    throw root.fault("name", "names files, so it must be plain", "letters, digits, _ and -");
+  if (!is_plain_name(scene.name)) throw root.fault("name", "names files, so it must be plain", plain_characters);
   scene.title = root.text("title", scene.name);
   const auto space = root.choice("space", space_choices());
   for (const auto& entry : space_names)

@@ -45,18 +45,19 @@ void seal(const std::string& path) {
   if (!file || !end) throw RunError(path + ": cannot be written to its end (is the disk full?)");
 }
 
-void check_seal(const std::string& path) {
+bool check_seal(const std::string& path) {
   std::ifstream file(path, std::ios::binary | std::ios::ate);
   const auto length = static_cast<std::int64_t>(file.tellg()) - static_cast<std::int64_t>(sizeof(Seal));
-  if (!file || length <= 0) return;
+  if (!file || length <= 0) return false;
   Seal found;
   file.seekg(length);
   file.read(reinterpret_cast<char*>(&found), sizeof found);
-  if (!file || found.mark != Seal{}.mark) return;
+  if (!file || found.mark != Seal{}.mark) return false;
   file.seekg(0);
   if (checksum_of(file, static_cast<std::uint64_t>(length)) != found.checksum)
     throw InputError(
         {{path, 0}, {}, {}, "the file is damaged: its checksum is wrong", "a particle file of tektite, whole"});
+  return true;
 }
 
 }  // namespace tektite

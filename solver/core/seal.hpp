@@ -9,7 +9,7 @@ namespace tektite {
 /// Appends the checksum of all bytes to a file. Throws RunError.
 void seal(const std::string& path);
 
-/// Throws InputError where a sealed file is not as it was; a file without a seal is left to its reader.
-void check_seal(const std::string& path);
+/// Whether a file is sealed. Throws InputError where it is and is not as it was.
+bool check_seal(const std::string& path);
 
 }  // namespace tektite

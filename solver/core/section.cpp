@@ -42,6 +42,11 @@ std::string shown(const toml::node& node) {
   return text;
 }
 
+// What an impact has to do with lies between these, in units of the SI; squares and products of it stay far within what
+// a floating-point number holds.
+constexpr double largest = 1e30;
+constexpr double smallest = 1e-30;
+
 /// Levenshtein distance, for "did you mean".
 std::size_t distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
@@ -122,6 +127,8 @@ double Section::convert(const toml::node& node, const std::string& key, const Di
     throw wrong("not a number", describe(expected));
   }
   if (!std::isfinite(value)) throw wrong("not a finite number", limits.describe() + " " + si_unit(expected));
+  if (std::abs(value) > largest || (value != 0.0 && std::abs(value) < smallest))
+    throw wrong("out of all proportion", fmt::format("0, or from {:g} to {:g} in SI units", smallest, largest));
   if (!limits.hold(value)) {
     const auto unit = si_unit(expected);
     throw wrong("out of range", limits.describe() + (unit == "1" ? "" : " " + unit));

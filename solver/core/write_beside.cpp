@@ -11,17 +11,14 @@
 #include "core/error.hpp"
 
 namespace tektite {
-namespace {
 
-void sync(const std::string& path) {
-  const int file = ::open(path.c_str(), O_RDONLY);
+void bring_to_disk(const std::string& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   const bool done = file >= 0 && ::fsync(file) == 0;
   const int reason = errno;
   if (file >= 0) ::close(file);
   if (!done) throw RunError(path + ": cannot be brought to the disk: " + std::strerror(reason));
 }
-
-}  // namespace
 
 void write_beside(const std::string& path, const std::function<void(const std::string&)>& write) {
   namespace fs = std::filesystem;
@@ -29,12 +26,13 @@ void write_beside(const std::string& path, const std::function<void(const std::s
   const auto folder = fs::path(path).parent_path();
   if (!folder.empty()) fs::create_directories(folder, fault);
   if (fault) throw RunError(folder.string() + ": this folder cannot be made: " + fault.message());
-  const auto beside = path + ".part" + fs::path(path).extension().string();
+  const auto beside = path + part_ending;
   try {
     write(beside);
-    sync(beside);
+    bring_to_disk(beside);
     fs::rename(beside, path, fault);
     if (fault) throw RunError(path + ": cannot be renamed into place: " + fault.message());
+    bring_to_disk(folder.empty() ? "." : folder.string());
   } catch (...) {
     fs::remove(beside, fault);
     throw;

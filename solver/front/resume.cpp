@@ -1,4 +1,5 @@
-// tektite resume: goes on from the newest snapshot of a run that was interrupted.
+// tektite resume: goes on from the newest snapshot of a run that was interrupted, or from its particles where it has
+// none yet.
 
 #include <filesystem>
 
@@ -26,7 +27,8 @@ int resume(const Words& arguments) {
     throw InputError({{folder, 0}, {}, {}, "there is no such folder", "the folder of a run"});
   Words options{"--resume"};
   if (values.contains("threads")) options.insert(options.end(), {"--threads", std::to_string(threads)});
-  return solve_and_show(folder, options);
+  const RunLock lock(folder);
+  return solve_and_show(folder, lock, options);
 }
 
 }  // namespace tektite::front

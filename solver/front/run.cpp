@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/error.hpp"
+#include "core/write_beside.hpp"
 #include "front/commands.hpp"
 #include "front/scene_arguments.hpp"
 #include "front/stages_of_a_run.hpp"
@@ -13,11 +14,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
+bool holds_a_run(const fs::path& folder) {
+  return fs::exists(folder / "particles.h5") || fs::exists(folder / "snapshots");
+}
+
 /// Throws InputError where the folder of the run cannot be used.
 void check_folder(const fs::path& folder, bool replace) {
   if (fs::exists(folder) && !fs::is_directory(folder))
     throw InputError({{folder.string(), 0}, {}, {}, "this is no folder", "a folder, or a new name"});
-  if (!replace && (fs::exists(folder / "particles.h5") || fs::exists(folder / "snapshots")))
+  if (!replace && holds_a_run(folder))
     throw InputError({{folder.string(), 0},
                       {},
                       {},
@@ -25,42 +30,50 @@ void check_folder(const fs::path& folder, bool replace) {
                       "another folder by -o DIR; --replace; or `tektite resume DIR` to go on with it"});
 }
 
-/// Takes away what an earlier run left, and nothing else.
+/// Takes away what an earlier run left, and nothing else; last what tells that there is a run.
 void clear(const fs::path& folder) {
-  for (const auto* part : {"particles.h5", "snapshots", "history.csv", "solve.json", "run.log", "measurements.json",
-                           "fragments.csv", "vtu", "pictures", reference_name})
-    fs::remove_all(folder / part);
+  if (!holds_a_run(folder)) return;
   for (const auto& entry : fs::directory_iterator(folder))
     if (entry.path().extension() == ".pvd") fs::remove(entry.path());
+  for (const auto* part : {"history.csv", "solve.json", "run.log", "measurements.json", "fragments.csv", "vtu",
+                           "pictures", "snapshots", "particles.h5"})
+    fs::remove_all(folder / part);
 }
 
-/// The initial particles until the solver has accepted them. They are taken away again, and with them a folder that was
-/// made for them, unless they were accepted.
+/// The published values as the run keeps them; the scene may lie in the folder of the run.
+void keep_reference(const std::string& reference, const fs::path& folder) {
+  const auto kept = folder / reference_name;
+  if (reference.empty()) {
+    fs::remove(kept);
+  } else if (!fs::exists(kept) || !fs::equivalent(reference, kept)) {
+    fs::copy_file(reference, kept, fs::copy_options::overwrite_existing);
+  }
+}
+
+/// The initial particles until the solver has accepted them. They are taken away again unless they were.
 class Draft {
  public:
-  explicit Draft(const fs::path& folder)
-      : path_(folder / "particles.draft.h5"),
-        accepted_path_(folder / "particles.h5"),
-        new_folder_(!fs::exists(folder)) {}
+  explicit Draft(const fs::path& folder) : path_(folder / "particles.draft.h5") {}
   ~Draft() {
     std::error_code ignored;
     if (accepted_) return;
     fs::remove(path_, ignored);
-    if (new_folder_) fs::remove(path_.parent_path(), ignored);
+    fs::remove(path_.string() + part_ending, ignored);
   }
   Draft(const Draft&) = delete;
   Draft& operator=(const Draft&) = delete;
   std::string path() const { return path_.string(); }
-  void accept() {
-    clear(path_.parent_path());
-    fs::rename(path_, accepted_path_);
+  /// They take the place of an earlier run. There is a run in the folder from the moment that they have their name.
+  void accept(const std::string& reference) {
+    const auto folder = path_.parent_path();
+    clear(folder);
+    keep_reference(reference, folder);
+    fs::rename(path_, folder / "particles.h5");
     accepted_ = true;
   }
 
  private:
   fs::path path_;
-  fs::path accepted_path_;
-  bool new_folder_;
   bool accepted_ = false;
 };
 
@@ -106,14 +119,16 @@ int run(const Words& arguments) {
 
   // Wrong input is found before anything is computed, and leaves everything as it was.
   if (const int code = check_scene(Stage::postprocess, order->scene); code != exit_done) return code;
+  const RunLock lock(order->folder);
+  check_folder(order->folder, order->replace);  // another run may have come first
   Draft draft(order->folder);
   if (const int code = make_particles(order->scene, draft.path()); code != exit_done) return code;
-  if (const int code = run_stage(Stage::solve, {"--check", draft.path()}); code != exit_done) return code;
-  draft.accept();
+  Words checking{"--check", draft.path()};
+  checking.insert(checking.end(), order->solver_options.begin(), order->solver_options.end());
+  if (const int code = run_stage(Stage::solve, checking); code != exit_done) return code;
+  draft.accept(order->scene.reference());
 
-  if (const auto reference = order->scene.reference(); !reference.empty())
-    fs::copy_file(reference, order->folder / reference_name);
-  return solve_and_show(order->folder.string(), order->solver_options, order->showing_options);
+  return solve_and_show(order->folder.string(), lock, order->solver_options, order->showing_options);
 }
 
 }  // namespace tektite::front

@@ -2,7 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -13,6 +13,7 @@
 #include <filesystem>
 
 #include "core/error.hpp"
+#include "core/program.hpp"
 
 namespace tektite::front {
 namespace {
@@ -23,7 +24,7 @@ volatile std::sig_atomic_t signal_received = 0;
 
 void note_signal(int signal) {
   signal_received = signal;
-  if (signal == SIGTERM && child_running > 0) ::kill(static_cast<pid_t>(child_running), signal);
+  if (child_running > 0) ::kill(static_cast<pid_t>(child_running), signal);
 }
 
 /// While it lives, SIGINT and SIGTERM are noted and do not end this program.
@@ -74,6 +75,27 @@ Words with_program(const std::string& path, const Words& arguments) {
   return words;
 }
 
+/// Leads a stream of the child to a file, where there is one.
+void lead(int stream, const std::string& file) {
+  if (file.empty()) return;
+  const int opened = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  if (opened < 0 || ::dup2(opened, stream) < 0) ::_exit(exit_failed);
+}
+
+/// The child on its way to be the program: as a program of its own it starts with the usual signals, and it is told to
+/// end where the front is killed.
+[[noreturn]] void become(char* const* words, const Streams& streams, const sigset_t& mask, pid_t front) {
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  if (::getppid() != front) ::_exit(exit_failed);
+  for (const int signal : {SIGINT, SIGTERM, SIGCHLD}) ::signal(signal, SIG_DFL);
+  ::sigprocmask(SIG_SETMASK, &mask, nullptr);
+  lead(STDOUT_FILENO, streams.output);
+  lead(STDERR_FILENO, streams.faults);
+  ::execv(words[0], words);
+  fmt::print(stderr, "tektite: error: {}: cannot be started: {}\n", words[0], std::strerror(errno));
+  ::_exit(exit_failed);
+}
+
 /// Starts a child; a signal that comes while it starts waits until the child is known.
 pid_t start(const std::string& path, const Words& arguments, Show show) {
   sigset_t both, before;
@@ -104,27 +126,10 @@ std::string program_of(Stage stage) {
 pid_t spawn(const std::string& path, const Words& arguments, const Streams& streams, const sigset_t& mask) {
   auto words = with_program(path, arguments);
   const auto vector = argument_vector(words);
-  sigset_t ours;
-  sigemptyset(&ours);
-  for (const int signal : {SIGINT, SIGTERM, SIGCHLD}) sigaddset(&ours, signal);
-  posix_spawnattr_t attributes;
-  ::posix_spawnattr_init(&attributes);
-  ::posix_spawnattr_setsigdefault(&attributes, &ours);
-  ::posix_spawnattr_setsigmask(&attributes, &mask);
-  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
-  posix_spawn_file_actions_t files;
-  ::posix_spawn_file_actions_init(&files);
-  const auto lead = [&](int stream, const std::string& file) {
-    if (!file.empty())
-      ::posix_spawn_file_actions_addopen(&files, stream, file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
-  };
-  lead(STDOUT_FILENO, streams.output);
-  lead(STDERR_FILENO, streams.faults);
-  pid_t child = 0;
-  const int fault = ::posix_spawn(&child, path.c_str(), &files, &attributes, vector.data(), environ);
-  ::posix_spawn_file_actions_destroy(&files);
-  ::posix_spawnattr_destroy(&attributes);
-  if (fault != 0) throw RunError(fmt::format("{}: cannot be started: {}", path, std::strerror(fault)));
+  const pid_t front = ::getpid();
+  const pid_t child = ::fork();
+  if (child == 0) become(vector.data(), streams, mask, front);
+  if (child < 0) throw RunError(fmt::format("{}: cannot be started: {}", path, std::strerror(errno)));
   return child;
 }
 

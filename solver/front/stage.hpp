@@ -17,10 +17,10 @@ std::string program_of(Stage stage);
 /// Whether what a stage says on standard output is shown. What it says on standard error always is.
 enum class Show { output, nothing };
 
-/// Runs the program of a stage, found beside this one, with these arguments and waits. Ctrl-C reaches the child through
-/// the terminal, a SIGTERM is passed on to it, and the front outlives both. Returns the exit code of the child, which
-/// has told its own fault. Throws RunError where the program is not there, was ended by a signal, or was interrupted
-/// and ended without a fault.
+/// Runs the program of a stage, found beside this one, with these arguments and waits. SIGINT and SIGTERM are passed on
+/// to the child, and the front outlives both; where the front itself is killed the child is told to end. Returns the
+/// exit code of the child, which has told its own fault. Throws RunError where the program is not there, was ended by a
+/// signal, or was interrupted and ended without a fault.
 int run_stage(Stage stage, const Words& arguments, Show show = Show::output);
 
 /// Files that a child writes to in place of this program's standard output and standard error; empty: none.

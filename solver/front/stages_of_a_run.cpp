@@ -18,8 +18,9 @@ int make_particles(const SceneArguments& scene, const std::string& path, Show sh
   return run_stage(Stage::preprocess, words, show);
 }
 
-int solve_and_show(const std::string& folder, const Words& solver_options, const Words& showing_options) {
-  Words solving{folder};
+int solve_and_show(const std::string& folder, const RunLock& lock, const Words& solver_options,
+                   const Words& showing_options) {
+  Words solving{folder, "--lock", std::to_string(lock.file())};
   solving.insert(solving.end(), solver_options.begin(), solver_options.end());
   if (const int code = run_stage(Stage::solve, solving); code != exit_done) return code;
   Words showing{folder};

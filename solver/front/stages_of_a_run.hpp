@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "core/run_lock.hpp"
 #include "front/scene_arguments.hpp"
 #include "front/stage.hpp"
 
@@ -18,7 +19,8 @@ int check_scene(Stage stage, const SceneArguments& scene);
 /// Writes the initial particles, which validates everything that they depend on.
 int make_particles(const SceneArguments& scene, const std::string& path, Show show = Show::output);
 
-/// Solves the run in `folder`, measures and draws it, and sets it beside what was published.
-int solve_and_show(const std::string& folder, const Words& solver_options, const Words& showing_options = {});
+/// Solves the run in `folder`, which is locked, measures and draws it, and sets it beside what was published.
+int solve_and_show(const std::string& folder, const RunLock& lock, const Words& solver_options,
+                   const Words& showing_options = {});
 
 }  // namespace tektite::front

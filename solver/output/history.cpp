@@ -3,25 +3,33 @@
 #include <fmt/format.h>
 #include <fmt/os.h>
 
+#include <algorithm>
 #include <charconv>
 
 #include "core/error.hpp"
-#include "core/write_beside.hpp"
 
 namespace tektite {
 namespace {
 
 /// The history's lines up to a step, the header included.
-std::string kept_lines(const std::string& path, std::int64_t last_step) {
+std::string kept_lines(const std::string& path, std::int64_t last_step, std::int64_t interval) {
   std::ifstream old(path);
   if (!old) throw InputError({{path, 0}, {}, {}, "the history of the run that is to be resumed cannot be opened", {}});
   std::string line, kept;
+  std::int64_t reached = -1;
   for (bool header = true; std::getline(old, line); header = false) {
-    std::int64_t step = 0;
+    std::int64_t step = -1;
     const auto read = std::from_chars(line.data(), line.data() + line.size(), step);
     if (!header && (read.ec != std::errc{} || step > last_step || old.eof())) break;
+    reached = std::max(reached, step);
     kept += line + '\n';
   }
+  if (reached < last_step - last_step % interval)
+    throw InputError({{path, 0},
+                      {},
+                      {},
+                      fmt::format("the history ends at step {}, before the snapshot of step {}", reached, last_step),
+                      "the history of this run, whole"});
   return kept;
 }
 
@@ -37,8 +45,8 @@ History::History(const std::string& path, int dimensions, const std::vector<std:
   file_.open(path, std::ios::app);
 }
 
-History::History(const std::string& path, std::int64_t last_step) : path_(path) {
-  write_text_beside(path, kept_lines(path, last_step));
+History::History(const std::string& path, std::int64_t last_step, std::int64_t interval) : path_(path) {
+  write_text_beside(path, kept_lines(path, last_step, interval));
   file_.open(path, std::ios::app);
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/write_beside.hpp"
 #include "schemes/scheme.hpp"
 
 namespace tektite {
@@ -24,11 +25,14 @@ class History {
 
   /// A new history.
   History(const std::string& path, int dimensions, const std::vector<std::string>& probe_columns);
-  /// Goes on with one, from which the steps after `last_step` are taken: a run that was killed may have written more
-  /// steps than its newest snapshot has.
-  History(const std::string& path, std::int64_t last_step);
+  /// Goes on with one that has a line every `interval` steps, and from which the steps after `last_step` are taken: a
+  /// run that was killed may have written more steps than its newest snapshot has. Throws InputError where it does not
+  /// reach as far as `last_step`.
+  History(const std::string& path, std::int64_t last_step, std::int64_t interval);
 
   void write(const Row& row);
+  /// All lines so far outlive the machine.
+  void bring_to_disk() const { tektite::bring_to_disk(path_); }
 
  private:
   std::string path_;

@@ -15,6 +15,8 @@ std::shared_ptr<spdlog::logger> open_log(const std::string& path, bool append) {
     console->set_pattern("%v");
     auto log = std::make_shared<spdlog::logger>("run", spdlog::sinks_init_list{console, file});
     log->flush_on(spdlog::level::info);
+    log->set_error_handler(
+        [path](const std::string&) { throw RunError(path + ": cannot be written (is the disk full?)"); });
     return log;
   } catch (const spdlog::spdlog_ex& fault) {
     throw RunError(path + ": the log cannot be opened: " + fault.what());

@@ -7,7 +7,11 @@
 #include <atomic>
 #include <csignal>
 #include <filesystem>
+#include <memory>
+#include <optional>
 
+#include "core/run_lock.hpp"
+#include "core/snapshot_files.hpp"
 #include "core/version.hpp"
 #include "output/history.hpp"
 #include "output/log.hpp"
@@ -15,7 +19,6 @@
 #include "output/progress.hpp"
 #include "output/summary.hpp"
 #include "run/simulation.hpp"
-#include "run/snapshots.hpp"
 
 namespace tektite {
 namespace {
@@ -38,25 +41,45 @@ std::string host() {
   return name;
 }
 
+/// What a run starts from: its particles, or a snapshot.
+struct Origin {
+  std::string file;
+  bool snapshot = false;
+};
+
+/// Throws InputError where there is nothing to resume.
+Origin find_origin(const RunOptions& options) {
+  const fs::path folder(options.folder);
+  const auto particles = (folder / "particles.h5").string();
+  if (!options.resume) return {particles, false};
+  if (const auto snapshots = snapshot_files(folder); !snapshots.empty()) return {snapshots.back(), true};
+  if (fs::exists(particles)) return {particles, false};
+  throw InputError(
+      {{options.folder, 0}, {}, {}, "there is no snapshot to go on from", "the folder of a run that was started"});
+}
+
 /// The run with everything that it writes.
 class Run {
  public:
-  Run(const RunOptions& options, const std::string& file, Snapshot snapshot, RunSettings settings)
-      : folder_(options.folder),
-        resumed_(options.resume),
-        simulation_(std::move(snapshot), std::move(settings), options.resume),
-        log_(open_log(folder_ / "run.log", options.resume)),
+  Run(const fs::path& folder, const Origin& origin, Snapshot snapshot, RunSettings settings)
+      : folder_(folder),
+        resumed_(origin.snapshot),
+        simulation_(std::move(snapshot), std::move(settings), origin.snapshot),
+        log_(open_log(folder_ / "run.log", origin.snapshot)),
         probes_(make_probes()),
         history_(make_history()) {
     log_->info("tektite {} on {}, {} threads: {} from {}", version, host(), omp_get_max_threads(),
-               resumed_ ? "resumed" : "started", file);
+               resumed_ ? "resumed" : "started", origin.file);
     const auto& particles = simulation_.particles();
     for (const auto& body : particles.bodies())
       log_->info("  {}: {} particles of {}, spacing {:g} m", body.name, body.range.size(), body.material, body.spacing);
     if (const auto remark = simulation_.scheme().remark(); !remark.empty()) log_->info("  {}", remark);
     if (!resumed_) {
-      write_snapshot();
       write_history();
+      write_snapshot();
+    } else {
+      last_snapshot_ = origin.file;
+      if (!simulation_.finished() && !snapshot_due()) stopgap_ = origin.file;
     }
   }
 
@@ -65,7 +88,7 @@ class Run {
       simulation_.step();
       write_history();
       show_progress();
-      if (snapshots_due() || simulation_.finished()) write_snapshot();
+      if (snapshot_due() || simulation_.finished()) write_snapshot();
     }
     progress_.clear();
     if (!simulation_.finished()) write_snapshot();
@@ -83,13 +106,14 @@ class Run {
   }
   History make_history() {
     const auto path = (folder_ / "history.csv").string();
-    if (resumed_) return History(path, simulation_.steps());
+    if (resumed_) return History(path, simulation_.steps(), simulation_.settings().history_interval);
     const auto& particles = simulation_.particles();
     return History(path, particles.dimensions(), probes_.columns(particles));
   }
 
-  /// A snapshot is due in the first step at or behind each multiple of the interval.
-  bool snapshots_due() const {
+  /// A snapshot is due at the start, and in the first step at or behind each multiple of the interval.
+  bool snapshot_due() const {
+    if (simulation_.steps() == 0) return true;
     const double interval = simulation_.settings().snapshot_interval;
     const double before = simulation_.time() - simulation_.last_step().dt;
     return std::floor(simulation_.time() / interval) > std::floor(before / interval);
@@ -98,8 +122,12 @@ class Run {
   void write_snapshot() {
     std::map<std::string, double> state;
     probes_.save(state);
-    last_snapshot_ = snapshot_path(folder_, simulation_.steps());
-    tektite::write_snapshot(simulation_.save(state), last_snapshot_);
+    history_.bring_to_disk();  // it must reach as far as the snapshot
+    const auto path = snapshot_path(folder_, simulation_.steps());
+    tektite::write_snapshot(simulation_.save(state), path);
+    last_snapshot_ = path;
+    if (!stopgap_.empty() && stopgap_ != last_snapshot_) fs::remove(stopgap_);
+    stopgap_.clear();
     progress_.clear();
     log_->info("  t = {:<9} step {:<7} {}", shown_time(simulation_.time()), simulation_.steps(), last_snapshot_);
   }
@@ -140,7 +168,8 @@ class Run {
   History history_;
   Progress progress_;
   Ledger ledger_;
-  std::string last_snapshot_;
+  std::string last_snapshot_;  ///< that is whole
+  std::string stopgap_;        ///< written because a run was interrupted: an unbroken run has none
 };
 
 RunSettings settings_of(const Snapshot& snapshot, const std::string& file, std::string& effective) {
@@ -156,13 +185,18 @@ RunSettings settings_of(const Snapshot& snapshot, const std::string& file, std::
 
 bool run(const RunOptions& options) {
   if (options.threads > 0) omp_set_num_threads(options.threads);
-  const auto file =
-      options.resume ? newest_snapshot(options.folder) : (fs::path(options.folder) / "particles.h5").string();
-  auto snapshot = read_snapshot(file);
-  auto settings = settings_of(snapshot, file, snapshot.scene);
-  if (!options.resume) remove_snapshots(options.folder);
+  if (!fs::is_directory(options.folder))
+    throw InputError({{options.folder, 0}, {}, {}, "there is no such folder", "the folder of a run"});
+  const auto lock = options.lock < 0 ? std::make_unique<RunLock>(options.folder)
+                                     : std::make_unique<RunLock>(options.folder, options.lock);
+  const auto origin = find_origin(options);
+  auto snapshot = read_snapshot(origin.file);
+  auto settings = settings_of(snapshot, origin.file, snapshot.scene);
+  remove_parts_of_snapshots(options.folder);
+  if (!origin.snapshot)
+    for (const auto& earlier : snapshot_files(options.folder)) fs::remove(earlier);
   watch_signals();
-  Run run(options, file, std::move(snapshot), std::move(settings));
+  Run run(options.folder, origin, std::move(snapshot), std::move(settings));
   try {
     return run.to_the_end();
   } catch (const RunError& fault) {
@@ -175,7 +209,13 @@ void forecast(const std::string& particle_file, int threads) {
   auto snapshot = read_snapshot(particle_file);
   auto settings = settings_of(snapshot, particle_file, snapshot.scene);
   Simulation simulation(std::move(snapshot), std::move(settings), false);
-  print_forecast(simulation);
+  std::optional<InputError> failure;
+  try {
+    print_forecast(simulation);
+  } catch (const RunError& fault) {
+    failure = InputError({{particle_file, 0}, {}, {}, fmt::format("the first steps fail: {}", fault.what()), {}});
+  }
+  if (failure) throw *failure;
 }
 
 }  // namespace tektite

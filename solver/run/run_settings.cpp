@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/plain_name.hpp"
+
 namespace tektite {
 namespace {
 
@@ -21,6 +23,8 @@ std::vector<std::string> field_names(bool numbers_alone) {
 std::vector<Probe> read_probes(Section& root, const Scene& scene) {
   std::vector<Probe> probes;
   for (auto& [name, section] : root.named_sections("probe")) {
+    if (!is_plain_name(name))
+      throw section.fault("", "names columns of history.csv, so it must be plain", plain_characters);
     Probe probe{name, section.text("body"), Shown::particle, {}, {}};
     if (section.has("extreme")) {
       const std::array<std::string, 2> extremes{"least", "largest"};

@@ -89,7 +89,7 @@ TEST_CASE("Snapshot: spare places of a field are not written") {
 TEST_CASE("Snapshot: what is missing, foreign or no HDF5 is refused") {
   const test::TemporaryFolder folder;
   CHECK_THAT(fault_of([&] { read_snapshot(folder.file("none.h5")); }), Contains("none.h5: there is no such file"));
-  CHECK_THAT(fault_of([&] { read_snapshot(folder.path()); }), Contains("cannot be opened as HDF5"));
+  CHECK_THAT(fault_of([&] { read_snapshot(folder.path()); }), Contains("this is no file"));
   write_bytes(folder.file("empty.h5"), "");
   CHECK_THAT(fault_of([&] { read_snapshot(folder.file("empty.h5")); }), Contains("cannot be opened as HDF5"));
   write_bytes(folder.file("text.h5"), "name = \"a scene\"\n");

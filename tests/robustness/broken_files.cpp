@@ -1,0 +1,243 @@
+// Particle files that are cut, changed, foreign or newer: a clear error with exit code 2, or the right result.
+#include <catch2/catch.hpp>
+#include <cstdint>
+#include <cstdlib>
+#include <iostream>
+#include <random>
+
+#include "core/error.hpp"
+#include "core/hdf5.hpp"
+#include "core/snapshot.hpp"
+#include "robustness/small_run.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace tektite;
+using namespace tektite::test;
+using Catch::Matchers::Contains;
+
+void write_bytes(const std::string& path, const std::string& bytes) { std::ofstream(path, std::ios::binary) << bytes; }
+
+std::string cut(const std::string& bytes, std::mt19937& random) { return bytes.substr(0, random() % bytes.size()); }
+
+std::string flipped(std::string bytes, std::mt19937& random, int flips) {
+  for (int k = 0; k < flips; ++k) {
+    auto& byte = bytes[random() % bytes.size()];
+    byte = static_cast<char>(byte ^ (1 << random() % 8));
+  }
+  return bytes;
+}
+
+/// A finished run whose files are spoilt one after another.
+class Spoilt {
+ public:
+  Spoilt() : small_("eulerian"), whole_(small_.unbroken()) {
+    particles_ = content_of(small_.folder("unbroken/particles.h5"));
+    last_ = small_.folder("unbroken/snapshots/" + whole_.snapshots.back());
+  }
+
+  const std::string& particles() const { return particles_; }
+  const std::string& last() const { return whole_.last_snapshot; }
+
+  /// particles.h5 is given to the solver, which says what a run of it would do.
+  void give_particles(const std::string& bytes) const {
+    write_bytes(small_.folder("spoilt.h5"), bytes);
+    check(run_in(small_.path(), {stage_program("solve"), "--check", "spoilt.h5", "--threads", "1"}, limit_resources),
+          "spoilt.h5");
+  }
+  /// The last snapshot is given to the solver, which goes on with it, and to postprocess.
+  void give_last_snapshot(const std::string& bytes) const {
+    write_bytes(last_, bytes);
+    const bool resumed = check(run_in(small_.path(), small_.resuming("unbroken"), limit_resources), last_);
+    if (resumed) CHECK(content_of(small_.folder("unbroken/history.csv")) == whole_.history);
+    const bool measured = check(
+        run_in(small_.path(), {stage_program("postprocess"), "unbroken", "--no-pictures"}, limit_resources), last_);
+    CHECK(measured == resumed);
+    if (measured) CHECK(test::measured(content_of(small_.folder("unbroken/measurements.json"))) == whole_.measurements);
+    write_bytes(last_, whole_.last_snapshot);
+  }
+  const SmallRun& small() const { return small_; }
+
+ private:
+  /// Whether the program did its work; else it has told what is wrong with the file.
+  static bool check(const Outcome& outcome, const std::string& file) {
+    INFO(outcome.faults);
+    CHECK((outcome.code == 0 || outcome.code == 2));
+    if (outcome.code == 2) CHECK_THAT(outcome.faults, Contains(fs::path(file).filename().string() + ": "));
+    if (outcome.code == 2) CHECK(std::count(outcome.faults.begin(), outcome.faults.end(), '\n') == 1);
+    return outcome.code == 0;
+  }
+
+  SmallRun small_;
+  Left whole_;
+  std::string particles_;
+  std::string last_;
+};
+
+void spoil(int times, unsigned seed) {
+  INFO("TEKTITE_SEED=" << seed);
+  std::mt19937 random(seed);
+  const Spoilt spoilt;
+  for (int k = 0; k < times; ++k) {
+    INFO("number " << k);
+    spoilt.give_particles(cut(spoilt.particles(), random));
+    spoilt.give_particles(flipped(spoilt.particles(), random, 1));
+    spoilt.give_last_snapshot(cut(spoilt.last(), random));
+    spoilt.give_last_snapshot(flipped(spoilt.last(), random, 1));
+  }
+}
+
+TEST_CASE("Broken files: cut or with a bit flipped, they are refused by every program") { spoil(4, seed()); }
+
+TEST_CASE("Broken files: the same, two hundred times", "[.long]") { spoil(200, seed()); }
+
+/// Without its seal a file is at the mercy of the HDF5 library.
+void spoil_unsealed(int times, unsigned seed) {
+  INFO("TEKTITE_SEED=" << seed);
+  std::mt19937 random(seed);
+  const SmallRun small("adaptle");
+  small.fill("run");
+  const auto path = small.folder("run/particles.h5");
+  const auto right = read_snapshot(path);
+  constexpr std::size_t seal = 16;
+  auto bytes = content_of(path);
+  bytes.resize(bytes.size() - seal);
+  int refused = 0;
+  for (int k = 0; k < times; ++k) {
+    INFO("number " << k);
+    write_bytes(path, k % 4 == 0 ? cut(bytes, random) : flipped(bytes, random, 1 + k % 3));
+    try {
+      const auto read = read_snapshot(path);
+      // A place in the file that nothing depends on.
+      CHECK(read.scene == right.scene);
+      CHECK(read.state == right.state);
+      CHECK(std::ranges::equal(read.particles.reals(Field::position), right.particles.reals(Field::position)));
+      CHECK(std::ranges::equal(read.particles.reals(Field::velocity), right.particles.reals(Field::velocity)));
+    } catch (const InputError& fault) {
+      ++refused;
+      CHECK_THAT(fault.what(), Contains("particles.h5"));
+    }
+  }
+  CHECK(refused > times / 2);
+  std::cout << "unsealed files, seed " << seed << ": " << refused << " of " << times << " refused\n";
+}
+
+TEST_CASE("Broken files: those without a seal are refused or read rightly") { spoil_unsealed(100, seed()); }
+
+TEST_CASE("Broken files: five thousand without a seal", "[.long]") { spoil_unsealed(5000, seed()); }
+
+/// A file with all that is asked for before its particles are read.
+hdf5::Writer writer(const std::string& path, std::int64_t format, std::int64_t count) {
+  hdf5::Writer file(path);
+  file.attribute("/", "format", std::string("tektite particles"));
+  file.attribute("/", "format_version", format);
+  file.attribute("/", "space", std::string("line"));
+  file.text("/scene", "name = \"x\"");
+  file.group("/state");
+  file.attribute("/state", "time", 0.0);
+  file.group("/bodies");
+  file.group("/bodies/0000");
+  file.attribute("/bodies/0000", "name", std::string("bar"));
+  file.attribute("/bodies/0000", "material", std::string("steel"));
+  file.attribute("/bodies/0000", "spacing", 1e-3);
+  file.attribute("/bodies/0000", "first", std::int64_t{0});
+  file.attribute("/bodies/0000", "count", count);
+  file.group("/particles");
+  return file;
+}
+
+TEST_CASE("Broken files: a newer format is refused by every program, with both versions") {
+  const TemporaryFolder folder;
+  fs::create_directories(folder.file("run/snapshots"));
+  writer(folder.file("run/particles.h5"), particle_format_version + 1, 4).close();
+  fs::copy(folder.file("run/particles.h5"), folder.file("run/snapshots/000000.h5"));
+  const std::vector<std::vector<std::string>> programs{
+      {TEKTITE_PROGRAM, "solve", "run"}, {TEKTITE_PROGRAM, "resume", "run"}, {TEKTITE_PROGRAM, "postprocess", "run"}};
+  const auto says = "format " + std::to_string(particle_format_version + 1) +
+                    " is not known to this program, which reads up to " + std::to_string(particle_format_version);
+  for (const auto& words : programs) {
+    INFO(words[1]);
+    const auto outcome = run_in(folder.path(), words);
+    CHECK(outcome.code == 2);
+    CHECK_THAT(outcome.faults, Contains(says));
+  }
+}
+
+/// Adds an object to a file by the HDF5 library itself.
+template <class Work>
+void add(const std::string& path, const Work& work) {
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  work(file);
+  H5Fclose(file);
+}
+
+void refused(const std::string& path, const std::string& reason) {
+  CHECK_THROWS_AS(read_snapshot(path), InputError);
+  CHECK_THROWS_WITH(read_snapshot(path), Contains(reason));
+}
+
+TEST_CASE("Foreign files: an attribute with many values where one belongs is refused") {
+  const TemporaryFolder folder;
+  const auto path = folder.file("many.h5");
+  writer(path, particle_format_version, 4).close();
+  add(path, [](hid_t file) {
+    const std::vector<double> values(4000, 1.0);
+    const hsize_t count = values.size();
+    const hid_t space = H5Screate_simple(1, &count, nullptr);
+    const hid_t attribute =
+        H5Acreate_by_name(file, "/state", "step", H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    REQUIRE(H5Awrite(attribute, H5T_NATIVE_DOUBLE, values.data()) >= 0);
+    H5Aclose(attribute);
+    H5Sclose(space);
+  });
+  refused(path, "/state/@step: is no single value");
+}
+
+TEST_CASE("Foreign files: numbers that are claimed and not stored are refused before memory is asked for") {
+  const TemporaryFolder folder;
+  const auto path = folder.file("claimed.h5");
+  static constexpr hsize_t count = hsize_t{1} << 36;
+  writer(path, particle_format_version, count).close();
+  add(path, [](hid_t file) {
+    const hsize_t chunk = 1024;
+    const hid_t space = H5Screate_simple(1, &count, nullptr);
+    const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
+    H5Pset_chunk(properties, 1, &chunk);
+    const hid_t data =
+        H5Dcreate2(file, "/particles/density", H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, properties, H5P_DEFAULT);
+    REQUIRE(data >= 0);
+    H5Dclose(data);
+    H5Pclose(properties);
+    H5Sclose(space);
+  });
+  refused(path, "/particles/density: has 68719476736 x 1 numbers, of which most are not stored");
+}
+
+TEST_CASE("Foreign files: what is no particle file is refused by every program") {
+  const TemporaryFolder folder;
+  fs::create_directories(folder.file("run/snapshots"));
+  const auto path = folder.file("run/particles.h5");
+  const auto [name, reason] = GENERATE(table<std::string, std::string>({{"empty", "cannot be opened as HDF5"},
+                                                                        {"text", "cannot be opened as HDF5"},
+                                                                        {"other HDF5", "/@format"},
+                                                                        {"a folder", "this is no file"}}));
+  INFO(name);
+  if (name == "empty") write_bytes(path, "");
+  if (name == "text") write_bytes(path, "name = \"a scene\"\n");
+  if (name == "other HDF5") {
+    hdf5::Writer file(path);
+    file.text("/note", "from elsewhere");
+    file.close();
+  }
+  if (name == "a folder") fs::create_directory(path);
+  fs::copy(path, folder.file("run/snapshots/000000.h5"), fs::copy_options::recursive);
+  for (const std::string command : {"solve", "resume", "postprocess"}) {
+    INFO(command);
+    const auto outcome = run_in(folder.path(), {TEKTITE_PROGRAM, command, "run"}, limit_resources);
+    CHECK(outcome.code == 2);
+    CHECK_THAT(outcome.faults, Contains(reason));
+  }
+}
+
+}  // namespace

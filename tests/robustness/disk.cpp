@@ -1,0 +1,102 @@
+// A disk that is full, a folder that cannot be written to.
+#include <fcntl.h>
+#include <sys/resource.h>
+
+#include <catch2/catch.hpp>
+
+#include "core/snapshot.hpp"
+#include "robustness/small_run.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace tektite::test;
+using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
+
+/// No file can grow beyond the size that history.csv has in the midst of a run: as a disk that becomes full then.
+constexpr rlim_t room = 45000;
+void limit_room() {
+  const rlimit limit{room, room};
+  ::setrlimit(RLIMIT_FSIZE, &limit);
+}
+
+void let_output_fail() { ::dup2(::open("/dev/full", O_WRONLY), STDOUT_FILENO); }
+
+TEST_CASE("Disk: where it becomes full the run ends with an error, keeps its last snapshot and is resumed") {
+  const SmallRun small("eulerian", {"spacing=2 mm", "time.end=15 us", "output.snapshots=2 us"});
+  const auto whole = small.unbroken();
+  REQUIRE(whole.last_snapshot.size() < room);  // so that it is in the midst of the run that room ends
+  REQUIRE(whole.history.size() > room);
+  small.fill("full");
+  const auto outcome = run_in(small.path(), small.solving("full"), limit_room);
+  CHECK(outcome.code == 1);
+  CHECK_THAT(outcome.faults,
+             StartsWith("tektite-solve: error: full/history.csv: cannot be written (is the disk full?)") &&
+                 Contains("the last good snapshot is full/snapshots/"));
+  const auto snapshots = tektite::snapshot_files(small.folder("full"));
+  REQUIRE(snapshots.size() > 1);
+  CHECK_NOTHROW(tektite::read_snapshot(snapshots.back()));
+  REQUIRE(small.program(small.resuming("full")).code == 0);
+  small.measure("full");
+  CHECK((left_in(small.folder("full")) == whole));
+}
+
+TEST_CASE("Disk: a snapshot for which there is no room is an error that names the last one that is whole") {
+  const SmallRun small("eulerian");
+  small.fill("full");
+  const auto limit = [] {
+    const rlimit limit{50000, 50000};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  };
+  const auto outcome = run_in(small.path(), small.solving("full"), limit);
+  CHECK(outcome.code == 1);
+  CHECK_THAT(outcome.faults, Contains("full/snapshots/000000.h5") && Contains("(is the disk full?)"));
+  CHECK(std::distance(fs::directory_iterator(small.folder("full/snapshots")), fs::directory_iterator()) == 0);
+  CHECK(small.program(small.resuming("full")).code == 0);
+}
+
+TEST_CASE("Disk: a log or an output that cannot be written is an error") {
+  const SmallRun small("eulerian");
+  small.fill("run");
+  fs::create_symlink("/dev/full", small.folder("run/run.log"));
+  const auto outcome = small.program(small.solving("run"));
+  CHECK(outcome.code == 1);
+  CHECK_THAT(outcome.faults, Contains("run/run.log: cannot be written"));
+
+  const auto unheard = run_in(small.path(), {TEKTITE_PROGRAM, "help"}, let_output_fail);
+  CHECK(unheard.code == 1);
+  CHECK_THAT(unheard.faults, Contains("standard output cannot be written"));
+}
+
+TEST_CASE("Disk: a folder that cannot be made or written to is an error before anything is computed") {
+  const SmallRun small("eulerian");
+  std::ofstream(small.folder("file")) << "in the way";
+  // No rights bind who runs tests as root, but nobody makes a folder in /proc.
+  const auto [folder, code] = GENERATE(table<std::string, int>({{"file", 2}, {"file/below", 1}, {"/proc/tektite", 1}}));
+  const auto outcome = small.program({TEKTITE_PROGRAM, "run", "scene.toml", "-o", folder});
+  INFO(outcome.faults);
+  CHECK(outcome.code == code);
+  CHECK_THAT(outcome.faults, StartsWith("tektite: error: " + folder + ": "));
+  CHECK(std::count(outcome.faults.begin(), outcome.faults.end(), '\n') == 1);
+}
+
+TEST_CASE("Disk: files in place of the folders of a run are errors of the stage that needs them") {
+  const SmallRun small("eulerian");
+  small.unbroken();
+  small.fill("run");
+  std::ofstream(small.folder("run/snapshots")) << "in the way";
+  const auto solved = small.program(small.solving("run"));
+  CHECK(solved.code == 1);
+  CHECK_THAT(solved.faults, Contains("run/snapshots") && Contains("cannot be"));
+  fs::remove_all(small.folder("unbroken/vtu"));
+  std::ofstream(small.folder("unbroken/vtu")) << "in the way";
+  const auto measured = small.program({stage_program("postprocess"), "unbroken", "--no-pictures"});
+  CHECK(measured.code == 1);
+  CHECK_THAT(measured.faults, Contains("unbroken/vtu"));
+  const auto elsewhere = small.program({stage_program("postprocess"), "unbroken", "--no-pictures", "-o", "/proc/none"});
+  CHECK(elsewhere.code == 1);
+  CHECK_THAT(elsewhere.faults, Contains("/proc/none"));
+}
+
+}  // namespace

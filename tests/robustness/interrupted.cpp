@@ -1,0 +1,171 @@
+// A run that is killed, or told to end, goes on as if nothing had been: history, snapshots and measures come out the
+// same to the last bit.
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <cstdlib>
+#include <iostream>
+#include <random>
+#include <sstream>
+
+#include "core/snapshot.hpp"
+#include "robustness/small_run.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace tektite::test;
+using Clock = std::chrono::steady_clock;
+using Catch::Matchers::Contains;
+
+/// Every file that is called a particle file can be read.
+void check_files(const std::string& folder) {
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.path().extension() == ".h5") {
+      INFO(entry.path());
+      CHECK_NOTHROW(tektite::read_snapshot(entry.path().string()));
+    }
+}
+
+/// What a killed run leaves of its history is the beginning of the unbroken one, but for a line that is cut.
+void check_history(const std::string& folder, const std::string& unbroken) {
+  const auto history = content_of(folder + "/history.csv");
+  const auto whole_lines = history.substr(0, history.rfind('\n') + 1);
+  CHECK(unbroken.substr(0, whole_lines.size()) == whole_lines);
+}
+
+/// Lines of the history that are there, and those of them that the newest snapshot does not need.
+struct Survival {
+  std::size_t kept = 0, ahead = 0;
+};
+
+Survival survival_of(const std::string& folder) {
+  Survival survival;
+  const auto snapshots = tektite::snapshot_files(folder);
+  const auto last = snapshots.empty() ? -1 : std::stoll(fs::path(snapshots.back()).stem().string());
+  std::istringstream lines(content_of(folder + "/history.csv"));
+  std::string line;
+  for (std::getline(lines, line); std::getline(lines, line); ++survival.kept) survival.ahead += std::stoll(line) > last;
+  return survival;
+}
+
+/// Kills runs of a scheme at random moments, resumes and compares.
+void kill_at_random(const std::string& scheme, int kills, unsigned seed) {
+  INFO("TEKTITE_SEED=" << seed << ", scheme " << scheme);
+  const SmallRun small(scheme);
+  const auto before = Clock::now();
+  const auto whole = small.unbroken();
+  const auto duration = std::chrono::duration<double>(Clock::now() - before).count();
+  std::mt19937 random(seed);
+  Survival sum;
+  int early = 0, late = 0;
+  for (int k = 0; k < kills; ++k) {
+    const auto run = "killed" + std::to_string(k);
+    INFO(run);
+    small.fill(run);
+    auto words = small.solving(run);
+    // Every second run is killed again where it was resumed.
+    const int times = 1 + k % 2;
+    for (int n = 0; n < times; ++n) {
+      auto running = small.start(words);
+      std::this_thread::sleep_for(
+          std::chrono::duration<double>(std::uniform_real_distribution<double>(0.0, 0.9 * duration)(random)));
+      late += running.end_by(SIGKILL) == 0;
+      check_files(small.folder(run));
+      check_history(small.folder(run), whole.history);
+      words = small.resuming(run);
+    }
+    const auto survival = survival_of(small.folder(run));
+    early += survival.kept == 0;
+    sum.kept += survival.kept;
+    sum.ahead += survival.ahead;
+    const auto outcome = small.program(small.resuming(run));
+    INFO(outcome.faults);
+    REQUIRE(outcome.code == 0);
+    small.measure(run);
+    const auto left = left_in(small.folder(run));
+    CHECK(left.history == whole.history);
+    CHECK(left.snapshots == whole.snapshots);
+    CHECK((left.last_snapshot == whole.last_snapshot));
+    CHECK(left.measurements == whole.measurements);
+    fs::remove_all(small.folder(run));
+  }
+  std::cout << scheme << ", seed " << seed << ": " << kills << " runs killed, " << early
+            << " of them before the first step, " << late << " kills after the end; " << sum.kept
+            << " lines of history survived, " << sum.ahead << " of them behind the newest snapshot\n";
+}
+
+TEST_CASE("Killed: a run of any scheme, killed at random moments, is resumed to the same end") {
+  for (const auto& [scheme, settings] : schemes()) kill_at_random(scheme, 1, seed());
+}
+
+TEST_CASE("Killed: two hundred runs are resumed to the same end", "[.long]") {
+  constexpr int kills = 34;  // times six schemes
+  for (const auto& [scheme, settings] : schemes()) kill_at_random(scheme, kills, seed());
+}
+
+TEST_CASE("Killed: while a snapshot is written, the one before stays and nothing half written counts") {
+  const SmallRun small("eulerian");
+  const auto whole = small.unbroken();
+  small.fill("killed");
+  auto running = small.start(small.solving("killed"));
+  const auto half_written = [&] {
+    std::error_code missing;
+    for (const auto& entry : fs::directory_iterator(small.folder("killed/snapshots"), missing))
+      if (entry.path().extension() == ".part") return true;
+    return false;
+  };
+  REQUIRE(comes_about(half_written));
+  CHECK(running.end_by(SIGKILL) == -1);
+  check_files(small.folder("killed"));
+  REQUIRE(small.program(small.resuming("killed")).code == 0);
+  CHECK_FALSE(half_written());
+  small.measure("killed");
+  CHECK((left_in(small.folder("killed")) == whole));
+}
+
+TEST_CASE("Killed: a front that is killed takes its solver with it, and the run is resumed by `tektite resume`") {
+  const SmallRun small("eulerian");
+  const auto whole = small.unbroken();
+  auto running = small.start({TEKTITE_PROGRAM, "run", "scene.toml", "-o", "killed", "--threads", "1"});
+  REQUIRE(comes_about([&] { return content_of(small.folder("killed/history.csv")).size() > 3000; }));
+  CHECK(running.end_by(SIGKILL) == -1);
+  const auto resumed = small.program({TEKTITE_PROGRAM, "resume", "killed", "--threads", "1"});
+  INFO(resumed.output << resumed.faults);
+  REQUIRE(resumed.code == 0);
+  const auto left = left_in(small.folder("killed"));
+  CHECK(left.history == whole.history);
+  CHECK(left.snapshots == whole.snapshots);
+  CHECK((left.last_snapshot == whole.last_snapshot));
+  CHECK(left.measurements == whole.measurements);
+}
+
+TEST_CASE("Interrupted: SIGINT and SIGTERM end a run with a snapshot, from which it comes to the same end") {
+  const int number = GENERATE(SIGINT, SIGTERM);
+  INFO("signal " << number);
+  const SmallRun small("eulerian");
+  const auto whole = small.unbroken();
+  small.fill("interrupted");
+  auto running = small.start(small.solving("interrupted"));
+  REQUIRE(comes_about([&] { return content_of(small.folder("interrupted/history.csv")).size() > 3000; }));
+  CHECK(running.end_by(number) == 1);
+  CHECK_THAT(content_of(small.folder("interrupted/run.log")), Contains("interrupted at t = "));
+  const auto survival = survival_of(small.folder("interrupted"));
+  CHECK(survival.kept > 10);
+  CHECK(survival.ahead == 0);
+  REQUIRE(small.program(small.resuming("interrupted")).code == 0);
+  small.measure("interrupted");
+  CHECK((left_in(small.folder("interrupted")) == whole));
+}
+
+TEST_CASE("Killed: a history that does not reach the snapshot is told, and not gone on with") {
+  const SmallRun small("eulerian");
+  small.unbroken();
+  const auto path = small.folder("unbroken/history.csv");
+  const auto history = content_of(path);
+  std::ofstream(path, std::ios::binary) << history.substr(0, history.size() / 2);
+  const auto outcome = small.program(small.resuming("unbroken"));
+  CHECK(outcome.code == 2);
+  CHECK_THAT(outcome.faults, Contains("history.csv: the history ends at step"));
+}
+
+}  // namespace
