@@ -25,4 +25,7 @@ double shock_slope(const Model& eos) {
   return 0.5 * (1.0 + slope / c);
 }
 
+/// An ideal gas has (γ + 1)/4 in every state, also in that without energy, where the above is 0/0.
+inline double shock_slope(const IdealGas& eos) { return 0.25 * (eos.heat_ratio + 1.0); }
+
 }  // namespace tektite

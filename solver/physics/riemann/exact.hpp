@@ -24,9 +24,13 @@ struct ExactRiemann {
   [[gnu::noinline]] RiemannStar<T> operator()(const RiemannSide<T>& l, const RiemannSide<T>& r) const {
     const Gas<T> left(l), right(r);
     const T vacuum = larger(-left.stiffness, -right.stiffness);
-    const T scale = larger(l.pressure + left.stiffness, r.pressure + right.stiffness);
+    // What a gas without pressure meets another one with gives the scale where there is none else.
+    const T closing = larger(l.velocity - r.velocity, T(0.0));
+    const T ram = T(0.25) * smaller(l.density, r.density) * closing * closing + T(1e-280);
+    const T scale = larger(larger(l.pressure + left.stiffness, r.pressure + right.stiffness), ram);
     const T least = vacuum + T(1e-12) * scale;
-    T p = larger(AcousticRiemann{}(l, r).pressure, least);
+    const T acoustic = AcousticRiemann{}(l, r).pressure;  // no number where both sides have no sound speed
+    T p = larger(select(acoustic > least, acoustic, least), ram);
     T change_l, change_r;
     constexpr int most = 60;
     for (int k = 0; k < most; ++k) {

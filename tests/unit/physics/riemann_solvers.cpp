@@ -55,6 +55,17 @@ TEST_CASE("Riemann solvers: equal sides are left as they are", "[riemann]") {
   });
 }
 
+TEST_CASE("Exact Riemann solver: gases without energy meet in strong shocks, or stay as they are", "[riemann]") {
+  const double gamma = 5.0 / 3.0, slope = shock_slope(IdealGas{1.0, gamma});
+  CHECK(slope == Approx((gamma + 1.0) / 4.0));
+  for (const double speed : {0.0, 1e-3, 1.0, 1e4}) {
+    const auto star = ExactRiemann{}(side_of(0.0, speed, 2.0, 0.0, slope), side_of(0.0, -speed, 2.0, 0.0, slope));
+    CHECK(star.pressure ==
+          Approx(0.5 * (gamma + 1.0) * 2.0 * speed * speed).margin(1e-100));  // p = ρ u (u + shock speed)
+    CHECK(star.velocity == Approx(0.0).margin(rounding * speed));
+  }
+}
+
 TEST_CASE("Riemann solvers: seen from the other side the answer is the same", "[riemann]") {
   for_each_sample<Riemann>([](const auto& solver) {
     for_each_pair_of_states([&](const Side& left, const Side& right) {
