@@ -91,7 +91,7 @@ struct MeasureRow {
   bool operator==(const MeasureRow&) const = default;
 };
 
-/// Measures in their order of appearance, each once for every published value of it.
+/// Measures by name, each once for every published value of it.
 std::vector<MeasureRow> measure_rows(const Runs& runs) {
   std::vector<MeasureRow> rows;
   const auto add = [&](const MeasureRow& next) {

@@ -49,7 +49,7 @@ RunData read_run_data(const std::string& folder) {
   data.title = scene.title;
   data.space = std::string(name_of(scene.space));
   data.kernel = fmt::format("{}, h/δ {}", scene.kernel, scene.smoothing_ratio);
-  data.scene = last.scene.substr(0, last.scene.find("\n#@ ") + 1);
+  data.scene = last.scene.substr(0, last.scene.find("\n#@ "));  // what follows tells where each key came from
   data.measurements = read_measurements(fs::path(folder) / "measurements.json");
   data.history = std::move(run.history);
   data.pictures = pictures_in(fs::path(folder) / "pictures");

@@ -50,7 +50,7 @@ std::string content_of(const fs::path& path) {
 /// What decides over a member's result: the version and the effective scene, without the places of its keys.
 std::string identity_of(const Member& member) {
   const auto text = member.load().text();
-  return fmt::format("# tektite {}\n{}", version, text.substr(0, text.find("\n#@ ") + 1));
+  return fmt::format("# tektite {}\n{}", version, text.substr(0, text.find("\n#@ ")));
 }
 
 bool is_done(const MemberFiles& files, const std::string& identity) {
@@ -58,16 +58,14 @@ bool is_done(const MemberFiles& files, const std::string& identity) {
   return fs::exists(files.failure) || fs::exists(files.run / "measurements.json");
 }
 
-/// The last line that a failed program has told, without its own name.
+/// The error that a failed program has told, without its own name and in one line.
 std::string reason_of(const MemberFiles& files, int code) {
   if (code < 0) return fmt::format("ended by signal {} ({})", -code, ::strsignal(-code));
   std::istringstream lines(content_of(files.faults));
-  std::string last = fmt::format("ended with exit code {}", code);
-  for (std::string line; std::getline(lines, line);)
-    if (!line.empty()) last = line;
   const std::string mark = ": error: ";
-  const auto at = last.find(mark);
-  return at == std::string::npos ? last : last.substr(at + mark.size());
+  for (std::string line; std::getline(lines, line);)
+    if (const auto at = line.find(mark); at != std::string::npos) return line.substr(at + mark.size());
+  return fmt::format("ended with exit code {}", code);
 }
 
 Job job_of(const Member& member, const MemberFiles& files, const Order& order) {
