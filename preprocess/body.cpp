@@ -40,6 +40,8 @@ auto as_fault_of(const Section& section, const std::string& key, const Work& wor
   throw *failure;
 }
 
+constexpr const char* fewer_particles = "fewer particles, or a larger --most-particles of tektite preprocess";
+
 void check_size(const BodyPlan& plan, double spacing, double most_particles) {
   const auto box = plan.shape->bounds();
   for (int k = 0; k < plan.shape->dimensions(); ++k)
@@ -60,15 +62,19 @@ void check_size(const BodyPlan& plan, double spacing, double most_particles) {
         fmt::format("this needs about {:.2g} particles at a spacing of {:g} m, more than {:.2g}; is "
                     "the unit right?",
                     estimate, spacing, most_particles),
-        "fewer particles, or a larger --most-particles");
+        fewer_particles);
 }
 
-double spacing_of(const BodyPlan& plan, double most_particles) {
+void check_count(const BodyPlan& plan, double most_particles) {
+  const auto& wished = plan.arrangement.wished_count;
+  if (wished && static_cast<double>(*wished) > most_particles)
+    throw plan.section.fault("arrangement", fmt::format("a count of {} is more than {:.2g}", *wished, most_particles),
+                             fewer_particles);
+}
+
+double spacing_of(const BodyPlan& plan) {
   const auto& wished = plan.arrangement.wished_count;
   if (!wished) return plan.spacing;
-  if (static_cast<double>(*wished) > most_particles)
-    throw plan.section.fault("arrangement", fmt::format("a count of {} is more than {:.2g}", *wished, most_particles),
-                             "fewer particles, or a larger --most-particles");
   return spacing_for_count(*plan.arrangement.arrangement, *plan.shape, static_cast<std::size_t>(*wished));
 }
 
@@ -107,7 +113,8 @@ std::vector<BodyPlan> read_bodies(Section& root, const Scene& scene, const std::
 }
 
 FilledBody fill_body(BodyPlan plan, std::span<const SymmetryPlane> planes, double most_particles) {
-  const double spacing = as_fault_of(plan.section, "arrangement", [&] { return spacing_of(plan, most_particles); });
+  check_count(plan, most_particles);
+  const double spacing = as_fault_of(plan.section, "arrangement", [&] { return spacing_of(plan); });
   check_size(plan, spacing, most_particles);
   const double kept = as_fault_of(plan.section, "shape", [&] { return kept_measure(*plan.shape, planes); });
   if (kept <= 0.0) throw plan.section.fault("shape", "the body lies wholly beyond a symmetry plane");

@@ -41,9 +41,12 @@ int run(int argc, const char* const* argv) {
     omp_set_num_threads(values["threads"].as<int>());
   }
 
+  const double most_particles = values["most-particles"].as<double>();
+  if (!(most_particles >= 1.0)) throw InputError("--most-particles must be at least 1");
+
   auto document = Document::load(values["scene"].as<std::string>(), values["variant"].as<std::string>(),
                                  values["set"].as<std::vector<std::string>>());
-  const auto result = preprocess::build_particles(document, values["most-particles"].as<double>());
+  const auto result = preprocess::build_particles(document, most_particles);
   std::cout << preprocess::in_words(result);
   if (check) return exit_done;
   write_snapshot(result.snapshot, values["output"].as<std::string>());

@@ -10,9 +10,11 @@
 namespace tektite::hdf5 {
 namespace {
 
-/// HDF5 prints its own error stack by default; faults are told by us.
+/// HDF5 prints its own error stack by default; faults are told by us. At the end of a program it would close once more,
+/// and crash on, a file that it could not write; ours are closed by their handles.
 void quiet() {
   static const bool done = [] {
+    H5dont_atexit();
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
     return true;
   }();
@@ -123,7 +125,7 @@ void Writer::attribute(const std::string& object, const std::string& name, std::
 
 void Writer::close() {
   if (H5Fflush(file_.id(), H5F_SCOPE_GLOBAL) < 0)
-    throw RunError(path_ + ": cannot be brought to the disk (is it full?)");
+    throw RunError(path_ + ": cannot be brought to the disk (is the disk full?)");
   const Handle closing(std::move(file_));
 }
 

@@ -42,14 +42,14 @@ TEST_CASE("Disk: where it becomes full the run ends with an error, keeps its las
   CHECK((left_in(small.folder("full")) == whole));
 }
 
-TEST_CASE("Disk: a snapshot for which there is no room is an error that names the last one that is whole") {
+TEST_CASE("Disk: a snapshot for which there is no room is an error, and no half of it is left") {
   const SmallRun small("eulerian");
   small.fill("full");
-  const auto limit = [] {
+  constexpr auto limit_to_less = [] {
     const rlimit limit{50000, 50000};
     ::setrlimit(RLIMIT_FSIZE, &limit);
   };
-  const auto outcome = run_in(small.path(), small.solving("full"), limit);
+  const auto outcome = run_in(small.path(), small.solving("full"), limit_to_less);
   CHECK(outcome.code == 1);
   CHECK_THAT(outcome.faults, Contains("full/snapshots/000000.h5") && Contains("(is the disk full?)"));
   CHECK(std::distance(fs::directory_iterator(small.folder("full/snapshots")), fs::directory_iterator()) == 0);

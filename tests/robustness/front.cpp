@@ -91,6 +91,20 @@ TEST_CASE("Front: a run leaves its state, numbers and the table of ours beside p
   }
 }
 
+TEST_CASE("Front: a run in the folder of its scene takes away nothing of what is there") {
+  const Workplace place;
+  const auto reference = content_of(place.folder.file("reference.toml"));
+  fs::create_directory(place.folder.file("pictures"));
+  std::ofstream(place.folder.file("pictures/of_mine.png")) << "not of the run";
+  const auto outcome = place.tektite({"run", "scene.toml", "--variant", "fast", "-o", ".", "--threads", "1"});
+  INFO(outcome.faults);
+  REQUIRE(outcome.code == 0);
+  CHECK_THAT(outcome.output, Contains("a value to compare with"));
+  CHECK(content_of(place.folder.file("reference.toml")) == reference);
+  CHECK(place.has("pictures/of_mine.png"));
+  CHECK(place.has("history.csv"));
+}
+
 TEST_CASE("Front: Ctrl-C ends a run with a snapshot from which it resumes") {
   const Workplace place;
   const pid_t child = ::fork();

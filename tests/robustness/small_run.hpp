@@ -106,6 +106,10 @@ class Started {
   Started(const Started&) = delete;
   Started& operator=(const Started&) = delete;
 
+  bool has_ended() const {
+    siginfo_t info{};
+    return ::waitid(P_PID, static_cast<id_t>(child_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == child_;
+  }
   void signal(int number) const { ::kill(child_, number); }
   /// The exit code, or -1 where a signal ended it.
   int wait() {
@@ -124,10 +128,10 @@ class Started {
   pid_t child_ = 0;
 };
 
-/// Waits until something has come about; false where it has not in a minute.
+/// Waits until something has come about; false where it has not in five minutes.
 template <class Condition>
 bool comes_about(const Condition& condition) {
-  for (const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  for (const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(5);
        std::chrono::steady_clock::now() < end; std::this_thread::sleep_for(std::chrono::microseconds(200)))
     if (condition()) return true;
   return false;
