@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "core/error.hpp"
+#include "core/run_lock.hpp"
 #include "core/study.hpp"
 #include "core/version.hpp"
 #include "core/write_beside.hpp"
@@ -155,6 +156,7 @@ int chart(const Words& arguments) {
   // What the runs are judged by is found wrong before anything is computed.
   if (const int code = run_stage(Stage::postprocess, {"--chart", order->study, "--check"}); code != exit_done)
     return code;
+  const RunLock lock(order->folder);  // two charts in one folder would spoil each other's runs
   fs::create_directories(order->folder / "runs");
   run_members(study, *order);
   return run_stage(Stage::postprocess, {"--chart", order->study, "-o", order->folder.string()});

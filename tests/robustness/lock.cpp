@@ -34,6 +34,16 @@ TEST_CASE("Lock: a second run in the same folder is refused, by whatever program
   CHECK_FALSE(fs::exists(small.folder("out/run.lock")));
 }
 
+TEST_CASE("Lock: a second chart in the same folder is refused") {
+  const SmallRun small("eulerian");
+  std::ofstream(small.folder("study.toml")) << "name = 'study'\nscene = 'scene.toml'\nresolutions = [{ factor = 1 }]\n"
+                                               "[[error]]\nmeasure = 'energy_drift'\n[line.one]\n";
+  const tektite::RunLock lock(small.folder("out"));
+  const auto outcome = small.program({TEKTITE_PROGRAM, "chart", "study.toml", "-o", "out"});
+  CHECK(outcome.code == 2);
+  CHECK_THAT(outcome.faults, Contains("out: another run is at work in this folder"));
+}
+
 TEST_CASE("Lock: two runs that begin at the same moment: one comes to its end, the other is refused") {
   const SmallRun small("eulerian");
   const auto begin = [&] {
