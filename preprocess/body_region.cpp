@@ -20,14 +20,17 @@ std::optional<KernelType> read_kernel(Section& section) {
 }
 
 BodyRegion read_region(const std::string& name, Section& section, int dimensions) {
-  BodyRegion region{name, read_shape(section.section("shape"), dimensions), {}, {}, {}, {}, section};
+  BodyRegion region{name, read_shape(section.section("shape"), dimensions), {}, {}, {}, {}, {}, section};
   if (section.has("density")) region.density = section.quantity("density", dimension::density, limits::positive);
+  if (section.has("specific_internal_energy"))
+    region.energy = section.quantity("specific_internal_energy", dimension::specific_energy, limits::not_negative);
   region.kernel = read_kernel(section);
   if (section.has("clamped")) region.clamped = section.flag("clamped", false);
   if (section.has("velocity")) region.velocity = read_velocity(section, dimensions);
   section.finish();
-  if (!region.density && !region.kernel && !region.clamped && !region.velocity)
-    throw section.fault("", "the region asks for nothing", "one or more of density, kernel, clamped, velocity");
+  if (!region.density && !region.energy && !region.kernel && !region.clamped && !region.velocity)
+    throw section.fault("", "the region asks for nothing",
+                        "one or more of density, specific_internal_energy, kernel, clamped, velocity");
   if (region.velocity && region.clamped.value_or(false))
     throw section.fault("velocity", "a clamped particle does not move", "velocity or clamped = true");
   return region;
@@ -49,6 +52,7 @@ void set_velocity(const Point& velocity, std::size_t particle, Particles& partic
 void lay(const BodyRegion& region, std::span<const SymmetryPlane> planes, std::size_t particle, const Point& x,
          Particles& particles) {
   if (region.density) particles.reals(Field::density)[particle] = *region.density;
+  if (region.energy) particles.reals(Field::specific_internal_energy)[particle] = *region.energy;
   if (region.kernel) particles.integers(Field::kernel_type)[particle] = static_cast<std::int64_t>(*region.kernel);
   if (region.clamped) particles.integers(Field::clamped)[particle] = *region.clamped ? 1 : 0;
   if (region.velocity) set_velocity(along_planes(region.velocity->at(x), x, planes), particle, particles);
@@ -63,6 +67,7 @@ void stop_clamped(Range range, Particles& particles) {
 std::string in_words(const BodyRegion& region) {
   std::vector<std::string> words;
   if (region.density) words.push_back(fmt::format("density {:g} kg/m3", *region.density));
+  if (region.energy) words.push_back(fmt::format("energy {:g} J/kg", *region.energy));
   if (region.kernel) words.push_back(kernel_names[static_cast<std::size_t>(*region.kernel)] + " kernel");
   if (region.clamped) words.emplace_back(*region.clamped ? "clamped" : "not clamped");
   if (region.velocity) words.emplace_back("a velocity of its own");
@@ -79,6 +84,7 @@ std::vector<BodyRegion> read_regions(Section& body, int dimensions) {
 
 void allocate_region_fields(std::span<const BodyRegion> regions, Particles& particles) {
   for (const auto& region : regions) {
+    if (region.energy) particles.allocate(Field::specific_internal_energy);
     if (region.kernel) particles.allocate(Field::kernel_type);
     if (region.clamped) particles.allocate(Field::clamped);
   }

@@ -20,6 +20,7 @@ struct BodyRegion {
   std::string name;
   ShapePointer shape;
   std::optional<double> density;  ///< initial density in kg/m³; a particle's mass is that of its cell at this density
+  std::optional<double> energy;   ///< initial specific internal energy in J/kg
   std::optional<KernelType> kernel;
   std::optional<bool> clamped;  ///< a clamped particle never moves: its velocity is zero whatever else is said of it
   VelocityPointer velocity;     ///< null where the region gives none
@@ -29,8 +30,8 @@ struct BodyRegion {
 /// Reads the regions of a body in the order of the scene. Throws InputError, also for a region that asks for nothing.
 std::vector<BodyRegion> read_regions(Section& body, int dimensions);
 
-/// Allocates kernel_type and clamped where a region asks for them; elsewhere the kernels are total-Lagrangian and
-/// nothing is clamped.
+/// Allocates specific_internal_energy, kernel_type and clamped where a region asks for them; elsewhere there is no
+/// energy, the kernels are total-Lagrangian and nothing is clamped.
 void allocate_region_fields(std::span<const BodyRegion> regions, Particles& particles);
 
 struct RegionReport {
@@ -39,9 +40,9 @@ struct RegionReport {
   std::string words;  ///< what the region asks for
 };
 
-/// Lays the regions of a body over density, velocity, kernel_type and clamped of its particles in `range`, whose
-/// positions stand already; a particle within `tolerance` (m) of a region's edge is inside. Throws InputError for a
-/// region that holds no particle.
+/// Lays the regions of a body over density, energy, velocity, kernel_type and clamped of its particles in `range`,
+/// whose positions stand already; a particle within `tolerance` (m) of a region's edge is inside. Throws InputError for
+/// a region that holds no particle.
 std::vector<RegionReport> lay_regions(std::span<const BodyRegion> regions, std::span<const SymmetryPlane> planes,
                                       double tolerance, Range range, Particles& particles);
 

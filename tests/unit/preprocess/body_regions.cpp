@@ -46,6 +46,16 @@ TEST_CASE("Regions: a density holds inside, and a particle's mass is that of its
   CHECK_FALSE(particles.has(Field::clamped));
 }
 
+TEST_CASE("Regions: an energy holds inside, and elsewhere there is none") {
+  const auto result =
+      result_of("plane-strain", square(region("hot", "[0, 0]", "[0.5, 1]", "specific_internal_energy = '2.5 kJ/kg'")));
+  const auto& particles = result.snapshot.particles;
+  REQUIRE(particles.has(Field::specific_internal_energy));
+  for (std::size_t i = 0; i < particles.count(); ++i)
+    CHECK(particles.reals(Field::specific_internal_energy)[i] ==
+          (particles.reals(Field::position)[2 * i] < 0.5 ? 2500.0 : 0.0));
+}
+
 TEST_CASE("Regions: the exact mass takes each region at its own density") {
   const auto body = square(region("half", "[0, 0]", "[0.5, 1]", "density = 3"));
   CHECK(result_of("plane-strain", body).bodies[0].exact_mass == Approx(2.0).epsilon(1e-12));
@@ -144,7 +154,8 @@ TEST_CASE("Regions: what cannot be meant is refused with the reason") {
   CHECK_THAT(fault(region("far", "[3, 3]", "[4, 4]", "clamped = true")),
              Catch::Contains("body.a.region.far.shape") && Catch::Contains("no particle"));
   CHECK_THAT(fault(region("idle", "[0, 0]", "[1, 1]", "")),
-             Catch::Contains("asks for nothing") && Catch::Contains("density, kernel, clamped, velocity"));
+             Catch::Contains("asks for nothing") &&
+                 Catch::Contains("density, specific_internal_energy, kernel, clamped, velocity"));
   CHECK_THAT(fault(region("odd", "[0, 0]", "[1, 1]", "kernel = 'lagrangian'")),
              Catch::Contains("total-lagrangian, eulerian"));
   CHECK_THAT(fault(region("odd", "[0, 0]", "[1, 1]", "density = '-1 kg/m3'")), Catch::Contains("out of range"));
