@@ -1,6 +1,7 @@
 #pragma once
 // One number a particle, by name: what a picture colours and what an extreme is taken of. A field of the table in
-// core/fields.def (a vector gives its length, the deviator its von Mises equivalent), a component of velocity or stress, or one that is derived here.
+// core/fields.def (a vector gives its length, the deviator its von Mises equivalent), a component of velocity or
+// stress, or one that is derived here.
 
 #include <optional>
 #include <string>

@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/error.hpp"
 #include "postprocess/render/line_chart.hpp"
 #include "postprocess/render/words.hpp"
 #include "postprocess/scalar_field.hpp"
-#include "postprocess/shown_unit.hpp"
 
 namespace tektite {
 namespace {
@@ -21,17 +19,6 @@ std::string field_of_column(const std::string& column) {
   if (field.size() > 2 && field[field.size() - 2] == '_' && std::find(known.begin(), known.end(), field) == known.end())
     field.resize(field.size() - 2);
   return field;
-}
-
-double largest(const std::vector<double>& values) {
-  double most = 0.0;
-  for (const double value : values) most = std::max(most, std::abs(value));
-  return most;
-}
-
-std::vector<double> scaled(std::vector<double> values, double factor) {
-  for (double& value : values) value *= factor;
-  return values;
 }
 
 std::string common_unit(const Picture& picture) {
@@ -54,32 +41,17 @@ std::string unit_of_column(const std::string& column) {
 
 void draw_history(const Picture& picture, const History& history, const Scene& scene, const std::string& path) {
   const auto si_unit = common_unit(picture);
-  const auto& time = history.column("time");
-  double most = 0.0;
-  for (const auto& column : picture.columns) most = std::max(most, largest(history.column(column)));
-  const auto unit = shown_unit(most, si_unit);
-  const auto time_unit = shown_unit(largest(time), "s");
-
+  std::vector<ChartLine> lines;
+  for (const auto& column : picture.columns)
+    lines.push_back({readable(column), history.column("time"), history.column(column)});
+  if (!picture.exact.empty()) lines.push_back(exact_line(picture.exact));
+  const auto time_unit = show_in_unit(lines, &ChartLine::x, "s");
+  const auto unit = show_in_unit(lines, &ChartLine::y, si_unit);
   const bool energy = si_unit == "J" || si_unit == "kg m/s";
   const std::string slice = energy && dimensions_of(scene.space) == 2 ? " (per metre of thickness)" : "";
-  LineChart chart{fmt::format("{}: {}", scene.title, readable(picture.name)),
-                  fmt::format("time, {}", time_unit.label),
-                  unit.label + slice,
-                  {},
-                  picture.width,
-                  picture.height};
-  for (const auto& column : picture.columns)
-    chart.lines.push_back(
-        {readable(column), scaled(time, time_unit.factor), scaled(history.column(column), unit.factor)});
-  if (!picture.exact.empty()) {
-    ChartLine exact{"exact", {}, {}};
-    for (const auto& point : picture.exact) {
-      exact.x.push_back(point[0] * time_unit.factor);
-      exact.y.push_back(point[1] * unit.factor);
-    }
-    chart.lines.push_back(exact);
-  }
-  draw_line_chart(chart, path);
+  draw_line_chart({fmt::format("{}: {}", scene.title, readable(picture.name)), "time, " + time_unit, unit + slice,
+                   lines, picture.width, picture.height},
+                  path);
 }
 
 }  // namespace tektite

@@ -3,19 +3,13 @@
 #include <fmt/format.h>
 #include <vtkAxis.h>
 #include <vtkChartLegend.h>
-#include <vtkChartXY.h>
-#include <vtkContextScene.h>
-#include <vtkContextView.h>
 #include <vtkDoubleArray.h>
 #include <vtkPen.h>
 #include <vtkPlotLine.h>
 #include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
 #include <vtkSVGExporter.h>
-#include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
 #include <vtkTable.h>
-#include <vtkTextProperty.h>
 
 #include <algorithm>
 #include <array>
@@ -24,9 +18,9 @@
 
 #include "core/write_beside.hpp"
 #include "postprocess/render/apart.hpp"
+#include "postprocess/render/chart_view.hpp"
 #include "postprocess/render/colours.hpp"
 #include "postprocess/render/image.hpp"
-#include "postprocess/render/style.hpp"
 
 namespace tektite {
 namespace {
@@ -144,17 +138,8 @@ void draw(const CostChart& asked, const std::string& path, const Tell& tell) {
   costs.widen();
   errors.widen();
 
-  const auto view = vtkSmartPointer<vtkContextView>::New();
-  view->GetRenderWindow()->SetOffScreenRendering(1);
-  view->GetRenderWindow()->SetSize(width, height);
-  view->GetRenderWindow()->SetMultiSamples(8);
-  view->GetRenderer()->SetBackground(1.0, 1.0, 1.0);
-  const auto chart = vtkSmartPointer<vtkChartXY>::New();
-  view->GetScene()->AddItem(chart);
-  style_chart(chart, asked.title);
+  const auto [view, chart] = make_chart_view(width, height, asked.title, "processor time, s", "error");
   chart->GetLegend()->SetLabelSize(20);
-  style_axis(chart->GetAxis(vtkAxis::BOTTOM), "processor time, s");
-  style_axis(chart->GetAxis(vtkAxis::LEFT), "error");
   set_ticks(chart->GetAxis(vtkAxis::BOTTOM), costs, 1.0, "");
   set_ticks(chart->GetAxis(vtkAxis::LEFT), errors, 100.0, " %");
   add_lines(chart, asked, costs, errors);

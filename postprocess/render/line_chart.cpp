@@ -1,19 +1,17 @@
 #include "postprocess/render/line_chart.hpp"
 
-#include <vtkAxis.h>
-#include <vtkChartXY.h>
-#include <vtkContextScene.h>
-#include <vtkContextView.h>
 #include <vtkDoubleArray.h>
 #include <vtkPlotPoints.h>
 #include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
-#include <vtkSmartPointer.h>
 #include <vtkTable.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "postprocess/render/chart_view.hpp"
 #include "postprocess/render/colours.hpp"
 #include "postprocess/render/image.hpp"
-#include "postprocess/render/style.hpp"
+#include "postprocess/shown_unit.hpp"
 
 namespace tektite {
 namespace {
@@ -27,17 +25,28 @@ vtkSmartPointer<vtkDoubleArray> column(const std::vector<double>& values, const 
 
 }  // namespace
 
+ChartLine exact_line(const std::vector<std::vector<double>>& points) {
+  ChartLine exact{"exact", {}, {}};
+  for (const auto& point : points) {
+    exact.x.push_back(point[0]);
+    exact.y.push_back(point[1]);
+  }
+  return exact;
+}
+
+std::string show_in_unit(std::vector<ChartLine>& lines, std::vector<double> ChartLine::*numbers,
+                         const std::string& si_unit) {
+  double most = 0.0;
+  for (const auto& line : lines)
+    for (const double value : line.*numbers) most = std::max(most, std::abs(value));
+  const auto unit = shown_unit(most, si_unit);
+  for (auto& line : lines)
+    for (double& value : line.*numbers) value *= unit.factor;
+  return unit.label;
+}
+
 void draw_line_chart(const LineChart& chart, const std::string& path) {
-  const auto view = vtkSmartPointer<vtkContextView>::New();
-  view->GetRenderWindow()->SetOffScreenRendering(1);
-  view->GetRenderWindow()->SetSize(chart.width, chart.height);
-  view->GetRenderWindow()->SetMultiSamples(8);
-  view->GetRenderer()->SetBackground(1.0, 1.0, 1.0);
-  const auto drawn = vtkSmartPointer<vtkChartXY>::New();
-  view->GetScene()->AddItem(drawn);
-  style_chart(drawn, chart.title);
-  style_axis(drawn->GetAxis(vtkAxis::BOTTOM), chart.x_title);
-  style_axis(drawn->GetAxis(vtkAxis::LEFT), chart.y_title);
+  const auto [view, drawn] = make_chart_view(chart.width, chart.height, chart.title, chart.x_title, chart.y_title);
   for (std::size_t k = 0; k < chart.lines.size(); ++k) {
     const auto& line = chart.lines[k];
     const auto table = vtkSmartPointer<vtkTable>::New();

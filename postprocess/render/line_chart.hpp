@@ -12,6 +12,13 @@ struct ChartLine {
   bool points = false;  ///< drawn as points, in no order
 };
 
+/// An exact curve through points [abscissa, value].
+ChartLine exact_line(const std::vector<std::vector<double>>& points);
+
+/// Brings the numbers of all lines from SI into the unit that suits the largest of them, and gives its label.
+std::string show_in_unit(std::vector<ChartLine>& lines, std::vector<double> ChartLine::*numbers,
+                         const std::string& si_unit);
+
 struct LineChart {
   std::string title;
   std::string x_title, y_title;

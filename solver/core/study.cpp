@@ -6,10 +6,10 @@
 #include <array>
 #include <filesystem>
 
+#include "core/plain_name.hpp"
+
 namespace tektite {
 namespace {
-
-constexpr const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
 
 struct Resolution {
   double factor = 1.0;
@@ -57,8 +57,7 @@ void append(std::vector<std::string>& settings, const std::vector<std::string>& 
 Study read_study(Section& root) {
   Study study;
   study.name = root.text("name");
-  if (study.name.find_first_not_of(plain) != std::string::npos)
-    throw root.fault("name", "names files, so it must be plain", "letters, digits, _ and -");
+  if (!is_plain_name(study.name)) throw root.fault("name", "names files, so it must be plain", plain_characters);
   study.title = root.text("title", study.name);
   const auto scene = root.has("scene") ? root.text("scene") : std::string();
   const auto settings = root.texts("set", {});
@@ -67,8 +66,7 @@ Study read_study(Section& root) {
   root.leave(of_postprocess);
 
   for (auto& [name, section] : root.named_sections("line")) {
-    if (name.find_first_not_of(plain) != std::string::npos)
-      throw section.fault("", "names files, so it must be plain", "letters, digits, _ and -");
+    if (!is_plain_name(name)) throw section.fault("", "names files, so it must be plain", plain_characters);
     StudyLine line{name, section.text("title", name), {}};
     const auto own_scene = section.has("scene") || scene.empty() ? section.text("scene") : scene;
     const auto variant = section.text("variant", "");

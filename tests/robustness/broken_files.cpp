@@ -9,6 +9,7 @@
 #include "core/hdf5.hpp"
 #include "core/snapshot.hpp"
 #include "robustness/small_run.hpp"
+#include "support/unfinished_file.hpp"
 
 namespace {
 
@@ -127,30 +128,10 @@ TEST_CASE("Broken files: those without a seal are refused or read rightly") { sp
 
 TEST_CASE("Broken files: five thousand without a seal", "[.long]") { spoil_unsealed(5000, seed()); }
 
-/// A file with all that is asked for before its particles are read.
-hdf5::Writer writer(const std::string& path, std::int64_t format, std::int64_t count) {
-  hdf5::Writer file(path);
-  file.attribute("/", "format", std::string("tektite particles"));
-  file.attribute("/", "format_version", format);
-  file.attribute("/", "space", std::string("line"));
-  file.text("/scene", "name = \"x\"");
-  file.group("/state");
-  file.attribute("/state", "time", 0.0);
-  file.group("/bodies");
-  file.group("/bodies/0000");
-  file.attribute("/bodies/0000", "name", std::string("bar"));
-  file.attribute("/bodies/0000", "material", std::string("steel"));
-  file.attribute("/bodies/0000", "spacing", 1e-3);
-  file.attribute("/bodies/0000", "first", std::int64_t{0});
-  file.attribute("/bodies/0000", "count", count);
-  file.group("/particles");
-  return file;
-}
-
 TEST_CASE("Broken files: a newer format is refused by every program, with both versions") {
   const TemporaryFolder folder;
   fs::create_directories(folder.file("run/snapshots"));
-  writer(folder.file("run/particles.h5"), particle_format_version + 1, 4).close();
+  unfinished_file(folder.file("run/particles.h5"), particle_format_version + 1, 4).close();
   fs::copy(folder.file("run/particles.h5"), folder.file("run/snapshots/000000.h5"));
   const std::vector<std::vector<std::string>> programs{
       {TEKTITE_PROGRAM, "solve", "run"}, {TEKTITE_PROGRAM, "resume", "run"}, {TEKTITE_PROGRAM, "postprocess", "run"}};
@@ -180,7 +161,7 @@ void refused(const std::string& path, const std::string& reason) {
 TEST_CASE("Foreign files: an attribute with many values where one belongs is refused") {
   const TemporaryFolder folder;
   const auto path = folder.file("many.h5");
-  writer(path, particle_format_version, 4).close();
+  unfinished_file(path, particle_format_version, 4).close();
   add(path, [](hid_t file) {
     const std::vector<double> values(4000, 1.0);
     const hsize_t count = values.size();
@@ -198,7 +179,7 @@ TEST_CASE("Foreign files: numbers that are claimed and not stored are refused be
   const TemporaryFolder folder;
   const auto path = folder.file("claimed.h5");
   static constexpr hsize_t count = hsize_t{1} << 36;
-  writer(path, particle_format_version, count).close();
+  unfinished_file(path, particle_format_version, count).close();
   add(path, [](hid_t file) {
     const hsize_t chunk = 1024;
     const hid_t space = H5Screate_simple(1, &count, nullptr);

@@ -37,7 +37,8 @@ struct Workplace {
 TEST_CASE("Front: help and version are given for it and for every command") {
   const Workplace place;
   CHECK(place.tektite({"--version"}).output == "tektite " TEKTITE_VERSION "\n");
-  for (const std::string command : {"run", "check", "resume", "chart", "report", "preprocess", "solve", "postprocess"}) {
+  for (const std::string command :
+       {"run", "check", "resume", "chart", "report", "preprocess", "solve", "postprocess"}) {
     INFO(command);
     CHECK_THAT(place.tektite({"help"}).output, Contains("\n  " + command + " "));
     const auto help = place.tektite({command, "--help"});

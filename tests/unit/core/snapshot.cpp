@@ -15,6 +15,7 @@
 #include "support/fault.hpp"
 #include "support/particles.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/unfinished_file.hpp"
 
 namespace tektite {
 namespace {
@@ -155,21 +156,7 @@ TEST_CASE("Snapshot: a number that is not finite or cannot be is refused, with i
 TEST_CASE("Snapshot: a count that the data do not have is refused before memory is asked for") {
   const test::TemporaryFolder folder;
   const auto path = folder.file("large.h5");
-  hdf5::Writer file(path);
-  file.attribute("/", "format", std::string("tektite particles"));
-  file.attribute("/", "format_version", std::int64_t{1});
-  file.attribute("/", "space", std::string("line"));
-  file.text("/scene", "name = \"x\"");
-  file.group("/state");
-  file.attribute("/state", "time", 0.0);
-  file.group("/bodies");
-  file.group("/bodies/0000");
-  file.attribute("/bodies/0000", "name", std::string("bar"));
-  file.attribute("/bodies/0000", "material", std::string("steel"));
-  file.attribute("/bodies/0000", "spacing", 1e-3);
-  file.attribute("/bodies/0000", "first", std::int64_t{0});
-  file.attribute("/bodies/0000", "count", std::int64_t{1} << 40);
-  file.group("/particles");
+  auto file = test::unfinished_file(path, 1, std::int64_t{1} << 40);
   file.reals("/particles/density", std::vector<double>(4, 1.0), 1);
   file.close();
   CHECK_THAT(fault_of([&] { read_snapshot(path); }), Contains("/particles/density: has 4 x 1 numbers where"));
