@@ -18,8 +18,8 @@
 
 namespace tektite {
 
-/// MSPH and SSPH: the strong form with derivatives from the matrix B, central differences in time (velocities live in
-/// the middle of steps), conservative smoothing.
+/// MSPH and SSPH: the strong form, or forces adjoint to the strain rates, with derivatives from the matrix B, central
+/// differences in time (velocities live in the middle of steps), conservative smoothing.
 template <Space space, class Weights, class Kernel>
 class MsphScheme final : public Scheme {
   static constexpr int D = dimensions_of(space);
