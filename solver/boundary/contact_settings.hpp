@@ -10,8 +10,8 @@ namespace tektite {
 /// comes from the materials: K_ca = factor · (smaller bulk modulus) / Δp^D.
 struct ContactSettings {
   double factor = 0.0;
-  double exponent = 0.0;  ///< n_ca
-  bool itself = false;    ///< also between pieces of one body
+  int exponent = 0;     ///< n_ca
+  bool itself = false;  ///< also between pieces of one body
 };
 
 /// Reads [contact]; nothing where the scene has none: then bodies act on each other through the sums of the scheme.
@@ -23,7 +23,7 @@ inline std::optional<ContactSettings> read_contact(Section& root, bool lagrangia
   section.choice("model", models, "kernel-penalty");
   ContactSettings settings;
   settings.factor = section.quantity("factor", dimension::none, limits::positive, 0.02);
-  settings.exponent = section.quantity("exponent", dimension::none, {2.0, 10.0}, 4.0);
+  settings.exponent = static_cast<int>(section.integer("exponent", {2.0, 10.0}, 4));
   settings.itself = section.flag("itself", false);
   if (settings.itself && !lagrangian)
     throw section.fault("itself", "Eulerian kernels see pieces of their own body in the sums of the scheme",

@@ -63,15 +63,15 @@ class KernelContact {
   /// Adds the forces at the places that place(i) gives to the accelerations.
   template <class Place>
   void add_forces(const Place& place, Vector<double, D>* acceleration) {
-    evaluate(place, acceleration, particles_.scalars(Field::contact_stiffness));
+    double* const stiffness = particles_.scalars(Field::contact_stiffness);
+    std::fill_n(stiffness, particles_.count(), 0.0);
+    evaluate(place, acceleration, stiffness);
   }
 
   /// Energy stored in the contact at the present places, J.
   double energy() {
-    std::vector<Vector<double, D>> acceleration(particles_.count());
-    std::vector<double> stiffness(particles_.count());
     const auto* x = particles_.template vectors<D>(Field::position);
-    evaluate([x](std::size_t i) { return x[i]; }, acceleration.data(), stiffness.data());
+    evaluate([x](std::size_t i) { return x[i]; }, nullptr, nullptr);
     return reduce(
         energy_.size(), 0.0, [this](double& sum, std::size_t i) { sum += energy_[i]; },
         [](double& whole, double part) { whole += part; });
@@ -116,7 +116,9 @@ class KernelContact {
 
   template <class Place>
   void evaluate(const Place& place, Vector<double, D>* acceleration, double* stiffness) {
-    for_each(particles_.count(), [&](std::size_t i) { records_[i].x = place(i); });
+    const auto& members = neighbourhood_.members();
+    for_each(members.size(), [&](std::size_t n) { records_[members[n]].x = place(members[n]); });
+    std::ranges::fill(energy_, 0.0);
     neighbourhood_.mirror().fill(records_, particles_.count());
     for_each_pair(neighbourhood_.pairs(),
                   ContactForces<Kernel, D>{records_.data(), settings_.factor, settings_.exponent,

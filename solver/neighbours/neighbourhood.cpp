@@ -126,14 +126,24 @@ void Neighbourhood<D>::list() {
   if (search_.listed == Listed::all) {
     build({});
     if (search_.apart) keep_apart(body);
+    if (search_.apart || search_.pairing == Pairing::across_bodies) find_members();
     return;
   }
   auto listed = eulerian_of_each(particles_);
   build(listed);
-  if (search_.listed == Listed::eulerian) return;
-  for (const auto& block : pairs_.blocks())
-    for (const auto j : block.neighbours) listed[mirror_.source_of(j, particles_.count())] = 1;
-  build(listed);
+  if (search_.listed == Listed::eulerian_and_near) {
+    for (const auto& block : pairs_.blocks())
+      for (const auto j : block.neighbours) listed[mirror_.source_of(j, particles_.count())] = 1;
+    build(listed);
+  }
+  find_members();
+}
+
+template <int D>
+void Neighbourhood<D>::find_members() {
+  const auto count = particles_.count();
+  pairs_.drop_empty_runs();
+  members_ = pairs_.members(count, [&](std::uint32_t j) { return mirror_.source_of(j, count); });
 }
 
 /// Drops the pairs of one body that a sum sees: of which one is Eulerian, and the neighbours of the reference
@@ -159,7 +169,8 @@ void Neighbourhood<D>::keep_apart(const std::vector<std::uint32_t>& body) {
 
 template <int D>
 std::size_t Neighbourhood<D>::memory() const {
-  return pairs_.memory() + places_.size() * (sizeof(places_[0]) + 2 * sizeof(std::uint32_t));
+  return pairs_.memory() + places_.size() * (sizeof(places_[0]) + 2 * sizeof(std::uint32_t)) +
+         members_.capacity() * sizeof(members_[0]);
 }
 
 template class Neighbourhood<1>;

@@ -47,6 +47,8 @@ class Neighbourhood {
   void restore(const std::map<std::string, double>& state);
 
   const PairList& pairs() const { return pairs_; }
+  /// Whose records a loop over the pairs reads, in ascending order; kept where the list is not of all particles.
+  const std::vector<std::uint32_t>& members() const { return members_; }
   const Mirror<D>& mirror() const { return mirror_; }
   double reach() const { return reach_; }
   double support() const { return support_; }
@@ -62,6 +64,7 @@ class Neighbourhood {
   double diagonal(const typename DisplacementBox<D>::Box& box) const;
   void find_regions();
   void keep_apart(const std::vector<std::uint32_t>& body);
+  void find_members();
 
   Particles& particles_;
   double support_;
@@ -72,6 +75,7 @@ class Neighbourhood {
   CellGrid<D> regions_;
   std::vector<typename DisplacementBox<D>::Box> boxes_;
   PairList pairs_;
+  std::vector<std::uint32_t> members_;
   std::vector<Vector<double, D>> places_;
 };
 

@@ -78,11 +78,39 @@ class PairList {
     });
   }
 
+  /// The same where no particle has a neighbour.
+  void drop_empty_runs() {
+    std::erase_if(blocks_, [](const Block& block) { return block.neighbours.empty(); });
+  }
+
+  /// Who has neighbours or is one, in ascending order: whose records a loop over pairs reads. source_of(j) gives the
+  /// particle of a neighbour j, which may be an image.
+  template <class Source>
+  std::vector<std::uint32_t> members(std::size_t count, const Source& source_of) const {
+    std::vector<std::uint8_t> read(count, 0);
+    for (const auto& block : blocks_)
+      for (std::size_t k = 0; k + 1 < block.first.size(); ++k) {
+        if (block.first[k] == block.first[k + 1]) continue;
+        read[block.begin + k] = 1;
+        for (auto n = block.first[k]; n < block.first[k + 1]; ++n) read[source_of(block.neighbours[n])] = 1;
+      }
+    std::vector<std::uint32_t> members;
+    for (std::uint32_t i = 0; i < count; ++i)
+      if (read[i] != 0) members.push_back(i);
+    return members;
+  }
+
   const std::vector<Block>& blocks() const { return blocks_; }
   std::size_t memory() const;
 
  private:
   std::vector<Block> blocks_;
 };
+
+/// Those of ascending `members` that a range holds.
+inline std::span<const std::uint32_t> members_in(const Range& range, std::span<const std::uint32_t> members) {
+  const auto begin = std::ranges::lower_bound(members, range.begin), end = std::ranges::lower_bound(members, range.end);
+  return {begin, end};
+}
 
 }  // namespace tektite

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 
 #include "core/pack.hpp"
@@ -28,10 +27,10 @@ template <class Kernel, int D>
 struct ContactForces {
   const ContactRecord<D>* records;
   double factor;
-  double exponent;
+  int exponent;  ///< n, at least 2
   const double* mass;
-  Vector<double, D>* acceleration;  ///< is added to
-  double* stiffness;                ///< N/m
+  Vector<double, D>* acceleration;  ///< is added to; null where the energy alone is wanted
+  double* stiffness;                ///< N/m; null where the energy alone is wanted
   double* energy;                   ///< this particle's half, J
 
   struct Self {
@@ -56,13 +55,13 @@ struct ContactForces {
     const Pack spacing = Pack(0.5) * (a.spacing + gathered(records, j, &Record::spacing));
     const KernelPair<Kernel, D> pair(x, h);
     const Pack at_spacing = kernel_at<Kernel, D>(spacing, h);
-    using std::experimental::pow;
     const Pack ratio = pair.value / at_spacing;  // zero beyond the support
     Pack modulus = smaller(a.bulk_modulus, gathered(records, j, &Record::bulk_modulus));
     for (int k = 0; k < D; ++k) modulus /= spacing;
     const Pack strength = is_other(x) * a.volume * gathered(records, j, &Record::volume) * Pack(factor) * modulus;
-    const Pack power = select(ratio > Pack(0.0), pow(larger(ratio, Pack(1e-300)), Pack(exponent - 2.0)), Pack(0.0));
-    const Pack push = strength * Pack(exponent) * power * ratio / at_spacing;
+    Pack power = 1.0;  // ratio^(n-2)
+    for (int k = 2; k < exponent; ++k) power *= ratio;
+    const Pack push = strength * Pack(double(exponent)) * power * ratio / at_spacing;
     for (int k = 0; k < D; ++k) sums.force[k] -= push * pair.slope[k];
     sums.energy += strength * power * ratio * ratio;
     sums.stiffness +=
@@ -70,9 +69,10 @@ struct ContactForces {
   }
 
   void end(std::size_t i, const Sums& sums) const {
+    energy[i] = 0.5 * sum(sums.energy);
+    if (!acceleration) return;
     for (int k = 0; k < D; ++k) acceleration[i][k] += sum(sums.force[k]) / mass[i];
     stiffness[i] = sum(sums.stiffness);
-    energy[i] = 0.5 * sum(sums.energy);
   }
 };
 

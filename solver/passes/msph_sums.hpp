@@ -39,10 +39,11 @@ struct MsphGather {
   }
   MsphPair<D> pair(const MsphSelf<D>& a, const std::uint32_t* j) const {
     MsphPair<D> p;
-    for (int k = 0; k < D; ++k) p.xi[k] = (read(j, [k](const auto& r) { return r.x[k]; }) - a.x[k]) * a.over_h;
+    for (int k = 0; k < D; ++k)
+      p.xi[k] = (read(j, [k](const auto& r) -> const double& { return r.x[k]; }) - a.x[k]) * a.over_h;
     p.distance_squared = dot(p.xi, p.xi);
     const auto near = p.distance_squared > Pack(0.0) && p.distance_squared < Pack(support * support);
-    p.volume = select(near, read(j, [](const auto& r) { return r.volume; }), Pack(0.0));
+    p.volume = select(near, read(j, [](const auto& r) -> const double& { return r.volume; }), Pack(0.0));
     return p;
   }
 };
@@ -76,8 +77,9 @@ struct MsphMoments {
       for (int c = 0; c < N; ++c) sums.b[r * N + c] += weighted * theta[c];
     }
     const Pack w = select(p.volume > Pack(0.0), Kernel::shape(sqrt(p.distance_squared)), Pack(0.0));
-    sums.mass += w * p.volume * gather.read(j, [](const auto& r) { return r.density; });
-    const Pack section = w * p.volume * section_part(gather.read(j, [](const auto& r) { return r.x[0]; }), a.over_h);
+    sums.mass += w * p.volume * gather.read(j, [](const auto& r) -> const double& { return r.density; });
+    const Pack section =
+        w * p.volume * section_part(gather.read(j, [](const auto& r) -> const double& { return r.x[0]; }), a.over_h);
     sums.weight += section;
     for (int k = 0; k < D; ++k) sums.place[k] += section * p.xi[k];
   }
@@ -146,8 +148,8 @@ struct MsphDivergence {
     for (int r = 0; r < D; ++r)
       for (int c = 0; c < D; ++c) {
         const int k = EulerianRecord<D>::index(r, c);
-        const Pack part =
-            psi.slope[c] * (gather.read(j, [k](const auto& q) { return q.stress[k]; }) - Pack(own.stress[k]));
+        const Pack part = psi.slope[c] * (gather.read(j, [k](const auto& q) -> const double& { return q.stress[k]; }) -
+                                          Pack(own.stress[k]));
         sums.d[r] += part;
         if (r == D - 1 && c == 0) sums.radial += part;
       }
@@ -178,7 +180,7 @@ struct MsphVelocity {
     const MsphShape<Weights, D> psi(coefficients[a.i], own.volume, gather.pair(a, j), a.over_h);
     Vector<Pack, D> dv;
     for (int k = 0; k < D; ++k) {
-      dv[k] = gather.read(j, [k](const auto& q) { return q.v[k]; }) - Pack(own.v[k]);
+      dv[k] = gather.read(j, [k](const auto& q) -> const double& { return q.v[k]; }) - Pack(own.v[k]);
       sums.v[k] += psi.value * dv[k];
     }
     add_outer(sums.l, dv, psi.slope);
@@ -216,12 +218,12 @@ struct SmoothVelocity {
     const auto& own = gather.records[a.i];
     const auto p = gather.pair(a, j);
     const Pack other([&](auto lane) { return 1.0 / kernel_mass[j[static_cast<std::size_t>(lane)]]; });
-    const Pack mass = p.volume * gather.read(j, [](const auto& q) { return q.density; });
+    const Pack mass = p.volume * gather.read(j, [](const auto& q) -> const double& { return q.density; });
     const Pack weight = select(p.volume > Pack(0.0), Kernel::shape(sqrt(p.distance_squared)), Pack(0.0)) * mass *
                         Pack(0.5) * (other + Pack(1.0 / kernel_mass[a.i]));
     Vector<Pack, D> dv;
     for (int k = 0; k < D; ++k) {
-      dv[k] = gather.read(j, [k](const auto& q) { return q.v[k]; }) - Pack(own.v[k]);
+      dv[k] = gather.read(j, [k](const auto& q) -> const double& { return q.v[k]; }) - Pack(own.v[k]);
       sums.v[k] += weight * dv[k];
     }
     sums.square += weight * dot(dv, dv);

@@ -2,6 +2,7 @@
 // Turns total-Lagrangian particles into Eulerian ones. Stress, density, energy and damage carry over: they are the same
 // fields for both.
 
+#include <algorithm>
 #include <vector>
 
 #include "boundary/mirror.hpp"
@@ -17,7 +18,7 @@ namespace tektite {
 template <int D>
 class Converter {
  public:
-  explicit Converter(Conversion settings) : settings_(settings) {}
+  explicit Converter(Conversion settings) : settings_(settings), limit_(settings.strain) {}
 
   /// Converts who has reached the criterion, with its neighbours in the reference configuration, and the
   /// total-Lagrangian neighbours of an Eulerian particle whose F no longer describes it. True where any was.
@@ -27,12 +28,13 @@ class Converter {
     const double* damage = particles.has(Field::damage) ? particles.scalars(Field::damage) : nullptr;
     const auto reached = [&](std::size_t i) {
       if (settings_.by == Conversion::By::damage) return damage && damage[i] >= 1.0;
-      return settings_.by == Conversion::By::strain && equivalent_strain(deformation[i]) > settings_.strain;
+      return settings_.by == Conversion::By::strain && limit_.exceeded_by(deformation[i]);
     };
     marked_.resize(particles.count());
     for_each(marked_.size(), [&](std::size_t i) {
       marked_[i] = reference[i].lagrangian != 0.0 ? reached(i) : !describes(deformation[i], stress[i].jacobian);
     });
+    if (std::ranges::find(marked_, 1) == marked_.end()) return false;
     const auto types = particles.integers(Field::kernel_type);
     bool any = false;
     const auto turn = [&](std::size_t i) {
@@ -60,6 +62,7 @@ class Converter {
   }
 
   Conversion settings_;
+  StrainLimit limit_;
   std::vector<std::uint8_t> marked_;
 };
 

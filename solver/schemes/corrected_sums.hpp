@@ -3,6 +3,8 @@
 // are total-Lagrangian.
 
 #include <limits>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "core/particles.hpp"
@@ -27,23 +29,31 @@ class CorrectedSums {
     return settings.corrected_eulerian || settings.artificial_stress;
   }
 
+  /// Where some particles are total-Lagrangian.
+  struct Among {
+    std::span<const std::uint32_t> members;  ///< those whose records are read, in ascending order
+    const std::uint8_t* eulerian;            ///< a byte each
+  };
+
   /// Accelerations, velocity gradients and viscous powers of the Eulerian particles. `records` are those of the
-  /// particles alone; `eulerian` says by a byte each who is Eulerian, null where all are.
+  /// particles alone.
   void evaluate(Particles& p, const PairList& pairs, const Mirror<D>& mirror,
-                const std::vector<EulerianRecord<D>>& records, const std::uint8_t* eulerian) {
+                const std::vector<EulerianRecord<D>>& records, const std::optional<Among>& among = {}) {
     const auto count = p.count();
     records_.resize(count + mirror.images());
-    for (const auto& body : p.bodies())
-      for_each(body.range.size(), [&](std::size_t n) {
-        const std::size_t i = body.range.begin + n;
-        fill(records_[i], records[i], body.spacing, !eulerian || eulerian[i]);
+    for (const auto& body : p.bodies()) {
+      const auto members = among ? members_in(body.range, among->members) : std::span<const std::uint32_t>();
+      for_each(among ? members.size() : body.range.size(), [&](std::size_t n) {
+        const std::size_t i = among ? members[n] : body.range.begin + n;
+        fill(records_[i], records[i], body.spacing, !among || among->eulerian[i]);
       });
-    mirror.fill(records_, count);
-    without_ = corrected_ ? correction_.find(pairs, mirror, records_, count, eulerian) : 0;
-    if constexpr (D == 2) {
-      if (artificial_) return sum<true>(p, pairs);
     }
-    sum<false>(p, pairs);
+    mirror.fill(records_, count);
+    without_ = corrected_ ? correction_.find(pairs, mirror, records_, count, among ? among->eulerian : nullptr) : 0;
+    if (corrected_)
+      sum<true>(p, pairs);
+    else
+      sum<false>(p, pairs);
   }
 
   /// Particles that go without correction, at the last call.
@@ -64,10 +74,18 @@ class CorrectedSums {
     }
   }
 
-  template <bool artificial>
+  template <bool corrected>
+  void sum(Particles& p, const PairList& pairs) {
+    if constexpr (D == 2) {
+      if (artificial_) return sum<corrected, true>(p, pairs);
+    }
+    sum<corrected, false>(p, pairs);
+  }
+
+  template <bool corrected, bool artificial>
   void sum(Particles& p, const PairList& pairs) {
     for_each_pair(pairs,
-                  CorrectedRates<Kernel, MonaghanViscosity, D, artificial>{
+                  CorrectedRates<Kernel, MonaghanViscosity, D, corrected, artificial>{
                       records_.data(), viscosity_, switch_, artificial_ ? artificial_->exponent : 0,
                       p.template vectors<D>(Field::acceleration), p.template tensors<D>(Field::velocity_gradient),
                       p.scalars(Field::viscous_power), p.scalars(Field::viscous_signal)});

@@ -61,12 +61,15 @@ class EulerianPart {
                                              0.0,
                                              p.scalars(Field::smoothing_length),
                                              records_.data()};
-    for_each(p.count(), [&](std::size_t i) {
+    const auto& members = neighbourhood_.members();
+    for_each(members.size(), [&](std::size_t n) {
+      const std::size_t i = members[n];
       records_[i].x = motion[i].x;
       records_[i].v = motion[i].v;
       assemble(i);
     });
-    sums_.evaluate(p, neighbourhood_.pairs(), neighbourhood_.mirror(), records_, eulerian_.data());
+    const typename CorrectedSums<Kernel, D>::Among among{members, eulerian_.data()};
+    sums_.evaluate(p, neighbourhood_.pairs(), neighbourhood_.mirror(), records_, among);
   }
 
   std::size_t memory() const {

@@ -120,7 +120,7 @@ class EulerianScheme final : public Scheme {
     predict(0.5 * dt);
     const auto scope = profile_.time("pairs");
     if (corrected_)
-      corrected_->evaluate(particles_, neighbourhood_.pairs(), neighbourhood_.mirror(), records_, nullptr);
+      corrected_->evaluate(particles_, neighbourhood_.pairs(), neighbourhood_.mirror(), records_);
     else
       with_smoothing(smoothing_, [this](const auto& smoothing) { sum_over_pairs(smoothing); });
     auto& p = particles_;

@@ -29,8 +29,8 @@ class MixedCorrection {
   template <class Record>
   std::size_t find(const PairList& pairs, const Mirror<D>& mirror, std::vector<Record>& records, std::size_t count,
                    const std::uint8_t* counted = nullptr) {
-    kernel_.resize(count);
-    neighbours_.resize(count);
+    kernel_.assign(count, 1.0);  // of who has no list
+    neighbours_.assign(count, 0.0);
     gradient_.resize(count);
     moment_.resize(count);
     CorrectionSums<Kernel, D, Record> sums{records.data(),   false,         kernel_.data(), neighbours_.data(),

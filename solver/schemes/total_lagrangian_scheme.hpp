@@ -109,7 +109,8 @@ class TotalLagrangianScheme final : public Scheme {
     return neighbours_.memory() + (contact_ ? contact_->memory() : 0) + (eulerian_ ? eulerian_->memory() : 0) +
            reference_.capacity() * sizeof(ReferenceRecord<D>) + motion_.capacity() * sizeof(MotionRecord<D>) +
            stress_.capacity() * sizeof(StressRecord<D>) + 2 * deformation_.capacity() * sizeof(Tensor<double, D>) +
-           rings_.memory();
+           rings_.memory() + meeting_.memory() + meeting_members_.capacity() * sizeof(std::uint32_t) +
+           artificial_.capacity() * sizeof(ArtificialStressRecord);
   }
 
  private:
@@ -159,9 +160,18 @@ class TotalLagrangianScheme final : public Scheme {
     mirror_.fill(reference_, particles_.count());
   }
 
-  /// Drops the reference neighbours of Eulerian particles that have no total-Lagrangian one among them any more.
+  /// Drops the reference neighbours of Eulerian particles that have no total-Lagrangian one among them any more, and
+  /// lists the pairs in which both kinds meet, where artificial stress acts between them.
   void drop_pairs() {
-    neighbours_.keep([this](std::size_t i) { return reference_[i].lagrangian != 0.0; });
+    const auto lagrangian = [this](std::size_t i) { return reference_[i].lagrangian != 0.0; };
+    neighbours_.keep(lagrangian);
+    const auto& artificial = settings_.artificial_stress;
+    if (!artificial || artificial->interface != ArtificialStressInterface::both) return;
+    const auto count = particles_.count();
+    meeting_ = neighbours_.pairs();
+    meeting_.keep_pairs([&](std::size_t i, std::size_t j) { return lagrangian(i) && !lagrangian(j); });
+    meeting_.drop_empty_runs();
+    meeting_members_ = meeting_.members(count, [&](std::uint32_t j) { return mirror_.source_of(j, count); });
   }
 
   /// Runs the pass that make.operator()<corrected>(records) gives over all pairs of the reference configuration.
@@ -240,23 +250,25 @@ class TotalLagrangianScheme final : public Scheme {
   void add_interface_stress() {
     if constexpr (D == 2) {
       const auto& settings = settings_.artificial_stress;
-      if (!settings || settings->interface != ArtificialStressInterface::both || !eulerian_->any()) return;
+      if (meeting_members_.empty()) return;
       auto& p = particles_;
       artificial_.resize(p.count() + mirror_.images());
-      for (const auto& body : p.bodies())
-        for_each(body.range.size(), [&](std::size_t n) {
-          const std::size_t i = body.range.begin + n;
+      for (const auto& body : p.bodies()) {
+        const auto members = members_in(body.range, meeting_members_);
+        for_each(members.size(), [&](std::size_t n) {
+          const std::size_t i = members[n];
           const auto& deviator = p.template symmetrics<D>(Field::half_deviatoric_stress)[i];
           const double pressure = p.scalars(Field::half_pressure)[i];
           const double stress[3] = {deviator(0, 0) - pressure, deviator(1, 1) - pressure, deviator(0, 1)};
           settings->tensor(stress, p.scalars(Field::half_density)[i], artificial_[i].r);
           artificial_[i].spacing = body.spacing;
         });
+      }
       mirror_.fill(artificial_, p.count());
-      for_each_pair(neighbours_.pairs(), InterfaceStress<Kernel>{reference_.data(), motion_.data(), stress_.data(),
-                                                                 artificial_.data(), *settings, p.scalars(Field::mass),
-                                                                 p.template vectors<D>(Field::acceleration),
-                                                                 p.scalars(Field::viscous_power)});
+      for_each_pair(meeting_, InterfaceStress<Kernel>{reference_.data(), motion_.data(), stress_.data(),
+                                                      artificial_.data(), *settings, p.scalars(Field::mass),
+                                                      p.template vectors<D>(Field::acceleration),
+                                                      p.scalars(Field::viscous_power)});
     }
   }
 
@@ -335,6 +347,8 @@ class TotalLagrangianScheme final : public Scheme {
   std::vector<Tensor<double, D>> deformation_, rate_;
   std::optional<EulerianPart<Kernel, D>> eulerian_;  ///< of the scheme adaptle
   Converter<D> converter_;
+  PairList meeting_;  ///< of total-Lagrangian particles, their Eulerian neighbours
+  std::vector<std::uint32_t> meeting_members_;
   std::vector<ArtificialStressRecord> artificial_;
 };
 

@@ -66,3 +66,21 @@ TEST_CASE("Equivalent strain: rotations before and after change nothing") {
 TEST_CASE("Equivalent strain: a body that turns round has none") {
   CHECK(equivalent_strain(rotation<2>(std::numbers::pi)) == Approx(0.0).margin(1e-12));
 }
+
+TEST_CASE("Strain limit: exceeded just where the equivalent strain is beyond it", "[conversion]") {
+  const StrainLimit limit(0.85);
+  for (const double strain : {0.1, 0.5, 0.8, 0.8499, 0.8501, 0.9, 2.0}) {
+    INFO(strain);
+    const double stretch = std::exp(strain);
+    for (const double angle : {0.0, 0.7}) {
+      const auto turned = [&](const Tensor<double, 2>& f) { return product(rotation<2>(angle), f); };
+      for (const auto& f : {turned(diagonal<2>({stretch, 1.0})), turned(diagonal<2>({1.0 / stretch, 1.0})),
+                            turned(diagonal<2>({stretch, 1.0 / stretch}))})
+        CHECK(limit.exceeded_by(f) == (equivalent_strain(f) > 0.85));
+    }
+    for (const auto& f : {diagonal<3>({stretch, stretch, 1.0 / stretch}), diagonal<3>({stretch, 1.0, 1.0}),
+                          diagonal<3>({1.0 / stretch, 1.0 / stretch, stretch})})
+      CHECK(limit.exceeded_by(f) == (equivalent_strain(f) > 0.85));
+    CHECK(limit.exceeded_by(diagonal<1>({stretch})) == (equivalent_strain(diagonal<1>({stretch})) > 0.85));
+  }
+}

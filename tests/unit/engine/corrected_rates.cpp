@@ -64,7 +64,7 @@ struct Block {
     signal.resize(count);
     for_each_pair(
         pairs,
-        CorrectedRates<CubicSpline, MonaghanViscosity, D, artificial>{
+        CorrectedRates<CubicSpline, MonaghanViscosity, D, true, artificial>{
             records.data(), viscosity, {limit}, 4, acceleration.data(), gradient.data(), power.data(), signal.data()});
   }
 };

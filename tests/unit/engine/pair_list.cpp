@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <random>
+#include <ranges>
 #include <set>
 
 #include "boundary/mirror.hpp"
@@ -182,6 +183,26 @@ TEST_CASE("Neighbours: only the particles have rows, images have none", "[neighb
   std::size_t rows = 0;
   for (const auto& block : list.blocks()) rows += block.first.size() - 1;
   CHECK(rows == 200);
+}
+
+TEST_CASE("Pair lists: members are those with neighbours and the neighbours, and runs without pairs go",
+          "[pair_list]") {
+  const auto places = random_places<2>(2000, 40.0, 7);
+  auto list = listed<2>(places, places.size(), 1.3);
+  const auto runs = list.blocks().size();
+  REQUIRE(runs > 2);
+  const auto wanted = [](std::uint32_t i, std::uint32_t j) { return i < 100 && j % 7 == 0; };
+  std::set<std::uint32_t> expected;
+  for (std::uint32_t i = 0; i < places.size(); ++i)
+    for (const auto j : row(list, i))
+      if (j != i && wanted(i, j)) expected.insert({i, j});
+  list.keep_pairs(wanted);
+  list.drop_empty_runs();
+  CHECK(list.blocks().size() < runs);
+  const auto members = list.members(places.size(), [](std::uint32_t j) { return j; });
+  CHECK(std::ranges::equal(members, expected));
+  const auto part = members_in({100, 2000}, members);
+  CHECK(std::ranges::equal(part, members | std::views::filter([](auto i) { return i >= 100; })));
 }
 
 TEST_CASE("Pair lists: within bodies and across bodies are the two parts of all", "[pair_list]") {
