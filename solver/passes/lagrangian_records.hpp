@@ -38,6 +38,7 @@ struct StressRecord {
   double jacobian;             ///< J
   double density;              ///< ρ
   double sound_speed;          ///< c, bulk
+  double least_stretch;        ///< the smallest principal one of F, at most 1
 
   void mirror(int axis, double) {
     mirror_tensor(stress, axis);

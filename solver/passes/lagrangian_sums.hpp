@@ -170,7 +170,7 @@ struct LagrangianForces
   struct Self {
     Vector<Number, D> reference, x, v;
     Tensor<Number, D> cofactor;
-    Number h, density, sound_speed;
+    Number h, density, sound_speed, stretch;
     typename LagrangianForces::OwnCorrection correction;
   };
   struct Sums {
@@ -192,6 +192,7 @@ struct LagrangianForces
             own(r.reference, i, &Reference::smoothing_length),
             own(r.stress, i, &Stress::density),
             own(r.stress, i, &Stress::sound_speed),
+            own(r.stress, i, &Stress::least_stretch),
             this->correction_of(i)};
   }
 
@@ -212,7 +213,9 @@ struct LagrangianForces
     const Number approach = dot(v, x);
     const Number density = gathered(r.stress, j, &StressRecord<D>::density);
     const Number c = Number(0.5) * (a.sound_speed + gathered(r.stress, j, &StressRecord<D>::sound_speed));
-    const auto [pi, speed] = viscosity(approach, dot(x, x), pair.h, c, Number(0.5) * (a.density + density));
+    // Of the present configuration, as the places are: with h as it was at the start μ would grow as they come nearer.
+    const Number h = pair.h * (Number(0.5) * (a.stretch + gathered(r.stress, j, &StressRecord<D>::least_stretch)));
+    const auto [pi, speed] = viscosity(approach, dot(x, x), h, c, Number(0.5) * (a.density + density));
     // Where the deformation turns the gradients against the line between the particles, Π would drive them, not damp
     // them.
     const Number power = dot(v, bracket);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -30,6 +31,8 @@ constexpr const char* name_of(StepLimit limit) {
 
 /// The stable time step of a particle and what sets it (Monaghan 1992):
 ///   C h / (c_l + 0.6 (α c + β |μ|max))   and   C √(h/|a|)
+/// Where gradients are of the reference configuration and particles have come nearer by the stretch λ, C is at most
+/// 0.75 λ: waves there pass h λ, and a lattice at its start stands more than twice that, with the viscosity's α of 1.
 template <int D>
 struct TimeStepLimit {
   struct Least {
@@ -47,12 +50,16 @@ struct TimeStepLimit {
   const double* viscous_signal;
   const double* density;
   const Vector<double, D>* acceleration;
+  const double* least_stretch;  ///< λ; null where all kernels are of the present configuration
+
+  static constexpr double most_stretched = 0.75;
 
   /// Where anything is not a number, or a density not positive, the limit is zero: the run has to stop there.
   void operator()(Least& least, std::size_t i) const {
     const double h = smoothing_length[i];
+    const double part = least_stretch ? std::min(courant, most_stretched * least_stretch[i]) : courant;
     const double viscous = 0.6 * (alpha * sound_speed[i] + beta * viscous_signal[i]);
-    const double signal = courant * h / (wave_speed[i] + viscous);
+    const double signal = part * h / (wave_speed[i] + viscous);
     const double force = courant * std::sqrt(h / norm(acceleration[i]));
     const bool sane = density[i] > 0.0 && signal > 0.0 && force > 0.0;
     const double dt = sane ? (signal < force ? signal : force) : 0.0;

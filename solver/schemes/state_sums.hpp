@@ -26,7 +26,8 @@ typename TimeStepLimit<D>::Least least_stable_step(const Particles& p, double co
                               p.scalars(Field::sound_speed),
                               p.scalars(Field::viscous_signal),
                               p.scalars(Field::density),
-                              p.vectors<D>(Field::acceleration)};
+                              p.vectors<D>(Field::acceleration),
+                              p.has(Field::least_stretch) ? p.scalars(Field::least_stretch) : nullptr};
   return reduce(p.count(), typename TimeStepLimit<D>::Least{std::numeric_limits<double>::infinity()}, pass,
                 TimeStepLimit<D>::join);
 }

@@ -11,6 +11,7 @@
 #include "passes/interface_stress.hpp"
 #include "passes/lagrangian_motion.hpp"
 #include "passes/lagrangian_sums.hpp"
+#include "passes/least_stretch.hpp"
 #include "schemes/converter.hpp"
 #include "schemes/eulerian_part.hpp"
 #include "schemes/hold_still.hpp"
@@ -51,9 +52,10 @@ class TotalLagrangianScheme final : public Scheme {
 
   void start() override {
     auto& p = particles_;
-    for (const auto field : {Field::pressure, Field::sound_speed, Field::wave_speed, Field::viscous_work,
-                             Field::acceleration, Field::velocity_gradient, Field::viscous_power, Field::viscous_signal,
-                             Field::reference_position, Field::reference_volume, Field::kernel_type})
+    for (const auto field :
+         {Field::pressure, Field::sound_speed, Field::wave_speed, Field::viscous_work, Field::acceleration,
+          Field::velocity_gradient, Field::viscous_power, Field::viscous_signal, Field::reference_position,
+          Field::reference_volume, Field::kernel_type, Field::least_stretch})
       p.allocate(field);
     if (!p.has(Field::specific_internal_energy)) p.allocate(Field::specific_internal_energy);
     order_in_space<D>(p, support());
@@ -300,6 +302,7 @@ class TotalLagrangianScheme final : public Scheme {
                                  rings_.stretch_of_each(), across_rate(), half_step, stress_.data(),
                                  p.template tensors<D>(Field::velocity_gradient), p.scalars(Field::half_density),
                                  p.scalars(Field::half_energy)});
+    run_through(run.range, FindLeastStretch<D>{reference_.data(), stress_.data(), p.scalars(Field::least_stretch)});
     materials_.evaluate_eos(run, Field::half_density, Field::half_energy, Field::half_pressure,
                             Field::half_sound_speed);
     materials_.predict_strength(run, half_step);

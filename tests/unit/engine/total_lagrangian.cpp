@@ -9,6 +9,7 @@
 #include "parallel/for_each_pair.hpp"
 #include "passes/lagrangian_motion.hpp"
 #include "passes/lagrangian_sums.hpp"
+#include "passes/least_stretch.hpp"
 #include "physics/kernels/kernel.hpp"
 #include "schemes/mixed_correction.hpp"
 
@@ -136,4 +137,21 @@ TEST_CASE("Total Lagrangian: the cofactor is det(F) times the inverse transposed
       for (int k = 0; k < 3; ++k) sum += f(i, k) * c(j, k);
       CHECK(sum == Approx(i == j ? determinant(f) : 0.0).margin(1e-14));
     }
+}
+
+TEST_CASE("Total Lagrangian: the least stretch is the smallest singular value of F, or a little below in the solid",
+          "[lagrangian]") {
+  const auto least = []<int D>(const Tensor<double, D>& f) { return least_stretch(cofactor(f), determinant(f)); };
+  CHECK(least(Tensor<double, 1>{{0.4}}) == Approx(0.4));
+  CHECK(least(Tensor<double, 1>{{1.6}}) == 1.0);
+  for (const double angle : {0.0, 0.7, 2.1}) {  // R diag(0.3, 2.5) R'
+    const double c = std::cos(angle), s = std::sin(angle);
+    const Tensor<double, 2> f{
+        {0.3 * c * c + 2.5 * s * s, (0.3 - 2.5) * c * s, (0.3 - 2.5) * c * s, 0.3 * s * s + 2.5 * c * c}};
+    CHECK(least(f) == Approx(0.3));
+  }
+  CHECK(least(Tensor<double, 3>{{0.3, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 2.0}}) == Approx(0.3).epsilon(0.01));
+  const double mixed = least(Tensor<double, 3>{{0.3, 0.0, 0.0, 0.0, 0.4, 0.0, 0.0, 0.0, 2.0}});
+  CHECK(mixed <= 0.3);
+  CHECK(mixed > 0.25);
 }
