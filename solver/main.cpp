@@ -9,13 +9,15 @@ int main(int argc, char** argv) {
   return run_program("tektite-solve", [&] {
     namespace po = boost::program_options;
     CommandLine line;
-    line.usage = "tektite-solve DIR [--resume] [--threads N]\n       tektite-solve --check FILE.h5";
+    line.usage = "tektite-solve DIR [--resume] [--threads N]\n       tektite-solve --check FILE.h5 [--advice FILE]";
     line.about =
         "Computes the run whose initial particles are DIR/particles.h5; leaves DIR/snapshots/*.h5, DIR/history.csv,\n"
         "DIR/solve.json and DIR/run.log.";
     line.options.add_options()("resume", "go on from the newest snapshot")(
         "threads", po::value<int>()->default_value(0), "threads to use (0: all that there are)")(
-        "check", po::value<std::string>(), "say what a run of these particles would do; compute nothing that is kept");
+        "check", po::value<std::string>(), "say what a run of these particles would do; compute nothing that is kept")(
+        "advice", po::value<std::string>(),
+        "with --check: say what could be saved, and write the settings for it here");
     line.hidden.add_options()("folder", po::value<std::string>())("lock", po::value<int>()->default_value(-1));
     line.positional.add("folder", 1);
     po::variables_map values;
@@ -24,7 +26,9 @@ int main(int argc, char** argv) {
     constexpr int most_threads = 4096;
     if (threads < 0 || threads > most_threads) throw InputError("--threads must be a number from 0 to 4096");
     if (values.contains("check")) {
-      forecast(values["check"].as<std::string>(), threads);
+      CheckOptions checking{values["check"].as<std::string>(), std::nullopt, threads};
+      if (values.contains("advice")) checking.advice = values["advice"].as<std::string>();
+      check(checking);
       return int{exit_done};
     }
     if (!values.contains("folder")) throw InputError("the folder of the run is missing; see --help");

@@ -13,7 +13,7 @@ struct OwnedKey {
   Stage owner;
 };
 
-constexpr std::array<OwnedKey, 23> owned_keys{{
+constexpr std::array<OwnedKey, 24> owned_keys{{
     {"", "body", Stage::preprocess},
     {"", "material", Stage::preprocess},
     {"", "material", Stage::solve},
@@ -26,6 +26,7 @@ constexpr std::array<OwnedKey, 23> owned_keys{{
     {"", "time", Stage::solve},
     {"", "output", Stage::solve},
     {"", "probe", Stage::solve},
+    {"", "stop_when", Stage::solve},
     {"", "measure", Stage::postprocess},
     {"", "picture", Stage::postprocess},
     {"body", "shape", Stage::preprocess},

@@ -35,12 +35,9 @@ std::string kept_lines(const std::string& path, std::int64_t last_step, std::int
 
 }  // namespace
 
-History::History(const std::string& path, int dimensions, const std::vector<std::string>& probe_columns) : path_(path) {
-  std::string header =
-      "step,time,dt,dt_reason,dt_particle,kinetic_energy,internal_energy,plastic_work,viscous_work,contact_energy,"
-      "total_energy";
-  for (int k = 0; k < dimensions; ++k) header += fmt::format(",momentum_{}", "xyz"[k]);
-  for (const auto& column : probe_columns) header += "," + column;
+History::History(const std::string& path, const std::vector<std::string>& number_columns) : path_(path) {
+  std::string header = "step,time,dt,dt_reason,dt_particle";
+  for (const auto& column : number_columns) header += "," + column;
   write_text_beside(path, header + '\n');
   file_.open(path, std::ios::app);
 }
@@ -51,14 +48,26 @@ History::History(const std::string& path, std::int64_t last_step, std::int64_t i
 }
 
 void History::write(const Row& row) {
-  const auto& ledger = row.ledger;
-  auto line =
-      fmt::format("{},{},{},{},{},{},{},{},{},{},{}", row.step, row.time, row.dt, row.reason, row.limiting_particle,
-                  ledger.kinetic, ledger.internal, ledger.plastic, ledger.viscous, ledger.contact, ledger.total());
-  for (const double component : ledger.momentum) line += fmt::format(",{}", component);
-  for (const double value : row.probes) line += fmt::format(",{}", value);
+  auto line = fmt::format("{},{},{},{},{}", row.step, row.time, row.dt, row.reason, row.limiting_particle);
+  for (const double number : row.numbers) line += fmt::format(",{}", number);
   file_ << line << '\n' << std::flush;
   if (!file_) throw RunError(path_ + ": cannot be written (is the disk full?)");
+}
+
+std::vector<std::string> number_columns(int dimensions, const std::vector<std::string>& probe_columns) {
+  std::vector<std::string> names{"kinetic_energy", "internal_energy", "plastic_work",
+                                 "viscous_work",   "contact_energy",  "total_energy"};
+  for (int k = 0; k < dimensions; ++k) names.push_back(fmt::format("momentum_{}", "xyz"[k]));
+  names.insert(names.end(), probe_columns.begin(), probe_columns.end());
+  return names;
+}
+
+std::vector<double> numbers_of(const Ledger& ledger, const std::vector<double>& probes) {
+  std::vector<double> numbers{ledger.kinetic, ledger.internal, ledger.plastic,
+                              ledger.viscous, ledger.contact,  ledger.total()};
+  numbers.insert(numbers.end(), ledger.momentum.begin(), ledger.momentum.end());
+  numbers.insert(numbers.end(), probes.begin(), probes.end());
+  return numbers;
 }
 
 }  // namespace tektite

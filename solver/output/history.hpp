@@ -19,12 +19,11 @@ class History {
     double dt = 0.0;
     const char* reason = "";
     std::int64_t limiting_particle = 0;  ///< id
-    Ledger ledger;
-    std::vector<double> probes;
+    std::vector<double> numbers;         ///< energies, momentum and probes, in the order of number_columns()
   };
 
   /// A new history.
-  History(const std::string& path, int dimensions, const std::vector<std::string>& probe_columns);
+  History(const std::string& path, const std::vector<std::string>& number_columns);
   /// Goes on with one that has a line every `interval` steps, and from which the steps after `last_step` are taken: a
   /// run that was killed may have written more steps than its newest snapshot has. Throws InputError where it does not
   /// reach as far as `last_step`.
@@ -38,5 +37,10 @@ class History {
   std::string path_;
   std::ofstream file_;
 };
+
+/// Names of a line's numbers.
+std::vector<std::string> number_columns(int dimensions, const std::vector<std::string>& probe_columns);
+/// A line's numbers.
+std::vector<double> numbers_of(const Ledger& ledger, const std::vector<double>& probes);
 
 }  // namespace tektite

@@ -66,10 +66,21 @@ void Probes::save(std::map<std::string, double>& state) const {
   for (const auto& followed : followed_) state["probe." + followed.probe.name] = static_cast<double>(followed.id);
 }
 
-double Probes::extreme(const Probe& probe, Field field, const Particles& particles) {
-  const auto body = std::ranges::find(particles.bodies(), probe.body, &Body::name);
-  const auto values = particles.reals(field).subspan(body->range.begin, body->range.size());
-  return probe.shown == Shown::least ? std::ranges::min(values) : std::ranges::max(values);
+void Probes::append_extremes(const Probe& probe, Field field, const Particles& particles, std::vector<double>& values) {
+  const auto range = std::ranges::find(particles.bodies(), probe.body, &Body::name)->range;
+  const auto width = static_cast<std::size_t>(particles.components(field));
+  for (std::size_t k = 0; k < width; ++k) {
+    if (!particles.has(field)) {
+      values.push_back(0.0);
+      continue;
+    }
+    const auto all = particles.reals(field);
+    double extreme = all[range.begin * width + k];
+    for (std::size_t i = range.begin; i < range.end; ++i)
+      extreme =
+          probe.shown == Shown::least ? std::min(extreme, all[i * width + k]) : std::max(extreme, all[i * width + k]);
+    values.push_back(extreme);
+  }
 }
 
 void Probes::find(Followed& followed, const Particles& particles) {
@@ -94,8 +105,7 @@ std::vector<double> Probes::values(const Particles& particles) {
   std::vector<double> values;
   for (auto& followed : followed_) {
     if (followed.probe.shown != Shown::particle) {
-      for (const auto field : followed.probe.fields)
-        values.push_back(particles.has(field) ? extreme(followed.probe, field, particles) : 0.0);
+      for (const auto field : followed.probe.fields) append_extremes(followed.probe, field, particles, values);
       continue;
     }
     find(followed, particles);

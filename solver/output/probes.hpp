@@ -30,7 +30,7 @@ class Probes {
     std::size_t index = 0;  ///< where the particle was last; checked at each use, because particles are sorted
   };
   static void find(Followed& followed, const Particles& particles);
-  static double extreme(const Probe& probe, Field field, const Particles& particles);
+  static void append_extremes(const Probe& probe, Field field, const Particles& particles, std::vector<double>& values);
   std::vector<Followed> followed_;
 };
 

@@ -19,13 +19,13 @@ constexpr double notable_drift = 0.01;
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
+}  // namespace
+
 std::size_t peak_memory() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
 }
-
-}  // namespace
 
 RunTimer::RunTimer() : wall_(std::chrono::steady_clock::now()), cpu_(processor_seconds()) {}
 
@@ -61,20 +61,22 @@ RunSummary summarise(const Simulation& simulation, const RunTimer& timer, bool i
 
 void write_summary(const RunSummary& s, const std::string& path) {
   const auto contact = s.contact_time ? fmt::format("  \"contact_time\": {},\n", *s.contact_time) : std::string();
+  const auto stopped = s.stopped_by.empty() ? std::string() : fmt::format("  \"stopped_by\": \"{}\",\n", s.stopped_by);
   write_text_beside(
       path, fmt::format("{{\n  \"version\": \"{}\",\n  \"scheme\": \"{}\",\n  \"particles\": {},\n  \"steps\": {},\n"
                         "  \"time\": {},\n{}  \"threads\": {},\n  \"wall_seconds\": {},\n  \"cpu_seconds\": {},\n"
                         "  \"particle_steps_per_second\": {},\n  \"peak_memory_bytes\": {},\n"
                         "  \"bytes_per_particle\": {},\n  \"energy_drift\": {},\n  \"momentum_drift\": {},\n"
-                        "  \"interrupted\": {}\n}}\n",
+                        "{}  \"interrupted\": {}\n}}\n",
                         version, s.scheme, s.particles, s.steps, s.time, contact, s.threads, s.wall_seconds,
                         s.cpu_seconds, s.particle_steps_per_second, s.peak_memory_bytes, s.bytes_per_particle,
-                        s.energy_drift, s.momentum_drift, s.interrupted));
+                        s.energy_drift, s.momentum_drift, stopped, s.interrupted));
 }
 
 void log_summary(const RunSummary& s, const Profile& profile, spdlog::logger& log) {
   log.info("{} steps to t = {} in {:.1f} s ({:.1f} s of processor time)", s.steps, shown_time(s.time), s.wall_seconds,
            s.cpu_seconds);
+  if (!s.stopped_by.empty()) log.info("  stopped by {}", s.stopped_by);
   log.info("  {:.2f} million particle-steps per second on {} threads, {} bytes a particle, peak memory {:.0f} MB",
            1e-6 * s.particle_steps_per_second, s.threads, s.bytes_per_particle,
            1e-6 * static_cast<double>(s.peak_memory_bytes));
@@ -89,33 +91,6 @@ void log_summary(const RunSummary& s, const Profile& profile, spdlog::logger& lo
         "wrong; "
         "a smaller scheme.courant, a finer spacing or another scheme may mend it",
         100.0 * s.energy_drift);
-}
-
-void print_forecast(Simulation& simulation) {
-  const auto& settings = simulation.settings();
-  const auto& particles = simulation.particles();
-  fmt::print("scheme {} in {}, kernel {}, h/δ = {:g}\n", settings.scheme.type, name_of(settings.scene.space),
-             settings.scheme.kernel, settings.scene.smoothing_ratio);
-  for (const auto& [name, material] : settings.materials) {
-    const auto eos = std::visit([](const auto& model) { return model.name; }, material.eos);
-    const auto strength = std::visit([](const auto& model) { return model.name; }, material.strength);
-    fmt::print("material {}: density {:g} kg/m3, equation of state {}, strength {}\n", name, material.density, eos,
-               strength);
-  }
-  for (const auto& plane : settings.scene.symmetry)
-    fmt::print("symmetry plane {} = {:g} m\n", "xyz"[plane.axis], plane.at);
-  const RunTimer timer;
-  constexpr int steps = 5;
-  for (int k = 0; k < steps && !simulation.finished(); ++k) simulation.step();
-  const double dt = simulation.last_step().dt;
-  const double expected = settings.end / dt;
-  fmt::print("until {}{}: about {:.0f} steps of {} ({}), more if shocks shorten them\n", shown_time(settings.end),
-             settings.from_contact ? " after contact" : "", std::ceil(expected), shown_time(dt),
-             name_of(simulation.last_step().reason));
-  const double memory = static_cast<double>(particles.memory() + simulation.scheme().memory());
-  fmt::print("about {} on {} threads, {:.0f} MB\n",
-             shown_clock(expected * timer.wall_seconds() / static_cast<double>(simulation.steps())),
-             omp_get_max_threads(), std::ceil(1e-6 * memory));
 }
 
 }  // namespace tektite

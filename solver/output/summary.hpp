@@ -1,5 +1,5 @@
 #pragma once
-// What a run tells about itself when it is over: solve.json, the last lines of the log, and the forecast of `check`.
+// What a run tells about itself when it is over: solve.json and the last lines of the log.
 
 #include <spdlog/spdlog.h>
 #include <chrono>
@@ -36,13 +36,14 @@ struct RunSummary {
   std::size_t bytes_per_particle = 0;  ///< fields, lists and records
   double energy_drift = 0.0, momentum_drift = 0.0;
   bool interrupted = false;
+  std::string stopped_by;  ///< the condition that ended the run before its time; may be empty
 };
 
 RunSummary summarise(const Simulation& simulation, const RunTimer& timer, bool interrupted);
 void write_summary(const RunSummary& summary, const std::string& path);
 void log_summary(const RunSummary& summary, const Profile& profile, spdlog::logger& log);
 
-/// Takes a few steps and says in words what the run would do, how long it would take and how much memory it needs.
-void print_forecast(Simulation& simulation);
+/// Bytes that this process had at its largest.
+std::size_t peak_memory();
 
 }  // namespace tektite

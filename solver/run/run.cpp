@@ -10,9 +10,11 @@
 #include <memory>
 #include <optional>
 
+#include "advice/print.hpp"
 #include "core/run_lock.hpp"
 #include "core/snapshot_files.hpp"
 #include "core/version.hpp"
+#include "core/write_beside.hpp"
 #include "output/history.hpp"
 #include "output/log.hpp"
 #include "output/probes.hpp"
@@ -24,6 +26,9 @@ namespace tektite {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Processor time that `tektite check` spends on steps to measure what they cost.
+constexpr double calibration_seconds = 0.5;
 
 std::atomic<bool> interrupted = false;
 
@@ -67,6 +72,8 @@ class Run {
         simulation_(std::move(snapshot), std::move(settings), origin.snapshot),
         log_(open_log(folder_ / "run.log", origin.snapshot)),
         probes_(make_probes()),
+        columns_(number_columns(simulation_.particles().dimensions(), probes_.columns(simulation_.particles()))),
+        stops_(make_stops()),
         history_(make_history()) {
     log_->info("tektite {} on {}, {} threads: {} from {}", version, host(), omp_get_max_threads(),
                resumed_ ? "resumed" : "started", origin.file);
@@ -79,21 +86,21 @@ class Run {
       write_snapshot();
     } else {
       last_snapshot_ = origin.file;
-      if (!simulation_.finished() && !snapshot_due()) stopgap_ = origin.file;
+      if (!over() && !snapshot_due()) stopgap_ = origin.file;
     }
   }
 
   bool to_the_end() {
-    while (!simulation_.finished() && !interrupted) {
+    while (!over() && !interrupted) {
       simulation_.step();
       write_history();
       show_progress();
-      if (snapshot_due() || simulation_.finished()) write_snapshot();
+      if (snapshot_due() || over()) write_snapshot();
     }
     progress_.clear();
-    if (!simulation_.finished()) write_snapshot();
+    if (!over()) write_snapshot();
     finish();
-    return simulation_.finished();
+    return over();
   }
 
   /// What a failed run says beside its reason.
@@ -107,8 +114,20 @@ class Run {
   History make_history() {
     const auto path = (folder_ / "history.csv").string();
     if (resumed_) return History(path, simulation_.steps(), simulation_.settings().history_interval);
-    const auto& particles = simulation_.particles();
-    return History(path, particles.dimensions(), probes_.columns(particles));
+    return History(path, columns_);
+  }
+  StopConditions make_stops() {
+    const auto& wanted = simulation_.settings().stops;
+    return resumed_ ? StopConditions(wanted, simulation_.save({}).state, columns_)
+                    : StopConditions(wanted, simulation_.particles(), columns_);
+  }
+
+  /// At its end, or stopped by a condition.
+  bool over() const { return simulation_.finished() || stops_.met(); }
+
+  /// Before two of several bodies have met, everything is steady and nothing has been perforated.
+  bool event_has_begun() const {
+    return simulation_.particles().bodies().size() < 2 || simulation_.contact_time().has_value();
   }
 
   /// A snapshot is due at the start, and in the first step at or behind each multiple of the interval.
@@ -122,6 +141,7 @@ class Run {
   void write_snapshot() {
     std::map<std::string, double> state;
     probes_.save(state);
+    stops_.save(state);
     history_.bring_to_disk();  // it must reach as far as the snapshot
     const auto path = snapshot_path(folder_, simulation_.steps());
     tektite::write_snapshot(simulation_.save(state), path);
@@ -138,9 +158,10 @@ class Run {
     ledger_ = simulation_.ledger();
     const auto& particles = simulation_.particles();
     const bool first = simulation_.steps() == 0;
+    const auto numbers = numbers_of(ledger_, probes_.values(particles));
     history_.write({simulation_.steps(), simulation_.time(), first ? 0.0 : last.dt,
-                    first ? "start" : name_of(last.reason), particles.integers(Field::id)[last.particle], ledger_,
-                    probes_.values(particles)});
+                    first ? "start" : name_of(last.reason), particles.integers(Field::id)[last.particle], numbers});
+    if (event_has_begun()) stops_.look(simulation_.time(), particles, numbers);
   }
 
   void show_progress() {
@@ -150,11 +171,12 @@ class Run {
   }
 
   void finish() {
-    const auto summary = summarise(simulation_, timer_, !simulation_.finished());
+    auto summary = summarise(simulation_, timer_, !over());
+    if (const auto* stop = stops_.met()) summary.stopped_by = fmt::format("{}: {}", stop->name, in_words(*stop));
     write_summary(summary, (folder_ / "solve.json").string());
     if (const auto remark = simulation_.scheme().closing_remark(); !remark.empty()) log_->info("  {}", remark);
     log_summary(summary, simulation_.profile(), *log_);
-    if (!simulation_.finished())
+    if (!over())
       log_->info("interrupted at t = {}; go on with: tektite resume {}", shown_time(simulation_.time()),
                  folder_.string());
   }
@@ -165,6 +187,8 @@ class Run {
   Simulation simulation_;
   std::shared_ptr<spdlog::logger> log_;
   Probes probes_;
+  std::vector<std::string> columns_;  ///< of a line's numbers
+  StopConditions stops_;
   History history_;
   Progress progress_;
   Ledger ledger_;
@@ -172,12 +196,20 @@ class Run {
   std::string stopgap_;        ///< written because a run was interrupted: an unbroken run has none
 };
 
-RunSettings settings_of(const Snapshot& snapshot, const std::string& file, std::string& effective) {
-  auto document = Document::parse(snapshot.scene, file + ":/scene");
+Document scene_of(const Snapshot& snapshot, const std::string& file) {
+  return Document::parse(snapshot.scene, file + ":/scene");
+}
+
+/// What the solver reads of the scene; afterwards `document` is the effective one.
+RunSettings settings_of(const Snapshot& snapshot, const std::string& file, Document& document) {
   auto settings = read_run_settings(document);
   check_bodies(settings, snapshot.particles, file);
-  if (snapshot.time() == 0.0) check_probes(document, settings, snapshot.particles);
-  effective = document.text();
+  if (snapshot.time() == 0.0) {
+    const auto& particles = snapshot.particles;
+    check_probes(document, settings, particles);
+    const auto probe_columns = Probes(settings.probes, particles).columns(particles);
+    check_stop_conditions(document, settings.stops, particles, number_columns(particles.dimensions(), probe_columns));
+  }
   return settings;
 }
 
@@ -191,7 +223,9 @@ bool run(const RunOptions& options) {
                                      : std::make_unique<RunLock>(options.folder, options.lock);
   const auto origin = find_origin(options);
   auto snapshot = read_snapshot(origin.file);
-  auto settings = settings_of(snapshot, origin.file, snapshot.scene);
+  auto document = scene_of(snapshot, origin.file);
+  auto settings = settings_of(snapshot, origin.file, document);
+  snapshot.scene = document.text();
   remove_parts_of_snapshots(options.folder);
   if (!origin.snapshot)
     for (const auto& earlier : snapshot_files(options.folder)) fs::remove(earlier);
@@ -204,18 +238,26 @@ bool run(const RunOptions& options) {
   }
 }
 
-void forecast(const std::string& particle_file, int threads) {
-  if (threads > 0) omp_set_num_threads(threads);
-  auto snapshot = read_snapshot(particle_file);
-  auto settings = settings_of(snapshot, particle_file, snapshot.scene);
+void check(const CheckOptions& options) {
+  if (options.threads > 0) omp_set_num_threads(options.threads);
+  auto snapshot = read_snapshot(options.particles);
+  auto document = scene_of(snapshot, options.particles);
+  auto settings = settings_of(snapshot, options.particles, document);
+  const auto met = meetings(snapshot.particles, settings.materials);
+  Advice advice;
+  if (options.advice) advice = advise(snapshot.particles, settings, met, document);
   Simulation simulation(std::move(snapshot), std::move(settings), false);
   std::optional<InputError> failure;
   try {
-    print_forecast(simulation);
+    print_scene(simulation);
+    print(forecast_of(simulation, met, options.advice ? calibration_seconds : 0.0), simulation);
   } catch (const RunError& fault) {
-    failure = InputError({{particle_file, 0}, {}, {}, fmt::format("the first steps fail: {}", fault.what()), {}});
+    failure = InputError({{options.particles, 0}, {}, {}, fmt::format("the first steps fail: {}", fault.what()), {}});
   }
   if (failure) throw *failure;
+  if (!options.advice) return;
+  print(advice);
+  write_text_beside(*options.advice, fmt::format("{}\n", fmt::join(advice.settings, "\n")));
 }
 
 }  // namespace tektite

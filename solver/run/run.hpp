@@ -1,6 +1,7 @@
 #pragma once
 // A run: from particles to snapshots, history and summary.
 
+#include <optional>
 #include <string>
 
 namespace tektite {
@@ -16,7 +17,13 @@ struct RunOptions {
 /// can be resumed. Throws InputError, or RunError where the computation fails.
 bool run(const RunOptions& options);
 
-/// Says what a run of these particles would do and cost; computes a few steps and writes nothing.
-void forecast(const std::string& particle_file, int threads);
+struct CheckOptions {
+  std::string particles;              ///< a file of initial particles
+  std::optional<std::string> advice;  ///< the file for the settings that would reduce the scene; none: no advice
+  int threads = 0;                    ///< 0: as many as there are
+};
+
+/// Says what a run of these particles would do and cost, and where asked what could be saved; computes a few steps.
+void check(const CheckOptions& options);
 
 }  // namespace tektite

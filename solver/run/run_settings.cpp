@@ -11,12 +11,11 @@
 namespace tektite {
 namespace {
 
-/// Fields that a probe may show; of those only the numbers where it asks for the least or the largest.
-std::vector<std::string> field_names(bool numbers_alone) {
+/// Fields that a probe may show.
+std::vector<std::string> field_names() {
   std::vector<std::string> names;
   for (const auto& row : field_table)
-    if (row.keep == Keep::result && row.rank != Rank::integer && (!numbers_alone || row.rank == Rank::scalar))
-      names.emplace_back(row.name);
+    if (row.keep == Keep::result && row.rank != Rank::integer) names.emplace_back(row.name);
   return names;
 }
 
@@ -35,7 +34,7 @@ std::vector<Probe> read_probes(Section& root, const Scene& scene) {
           section.quantities("position", dimension::length, static_cast<std::size_t>(dimensions_of(scene.space)));
     }
     const bool extreme = probe.shown != Shown::particle;
-    const auto known = field_names(extreme);
+    const auto known = field_names();
     const std::vector<std::string> usual{"pressure", "velocity"};
     for (const auto& field : section.texts("fields", extreme ? std::vector{usual.front()} : usual)) {
       if (std::find(known.begin(), known.end(), field) == known.end())
@@ -70,12 +69,12 @@ RunSettings read_run_settings(Document& document) {
 
   settings.probes = read_probes(root, settings.scene);
   const auto bodies = root.named_sections("body");
+  std::vector<std::string> body_names;
+  for (const auto& body : bodies) body_names.push_back(body.first);
   for (const auto& probe : settings.probes)
-    if (std::none_of(bodies.begin(), bodies.end(), [&](const auto& body) { return body.first == probe.body; })) {
-      std::vector<std::string> known;
-      for (const auto& body : bodies) known.push_back(body.first);
-      throw root.section("probe").section(probe.name).fault("body", "there is no such body", join(known));
-    }
+    if (std::ranges::find(body_names, probe.body) == body_names.end())
+      throw root.section("probe").section(probe.name).fault("body", "there is no such body", join(body_names));
+  settings.stops = read_stop_conditions(root, body_names);
   for (auto [name, body] : bodies) {
     const auto material = body.text("material");
     if (!settings.materials.contains(material)) {

@@ -6,6 +6,7 @@
 
 #include "core/fields.hpp"
 #include "core/scene.hpp"
+#include "run/stop_conditions.hpp"
 #include "schemes/scheme.hpp"
 
 namespace tektite {
@@ -18,7 +19,7 @@ struct Probe {
   std::string body;
   Shown shown = Shown::particle;
   std::vector<double> position;  ///< m, in the initial state; the nearest particle of the body is followed
-  std::vector<Field> fields;     ///< of an extreme: numbers
+  std::vector<Field> fields;     ///< an extreme shows each component's own
 };
 
 struct RunSettings {
@@ -30,6 +31,7 @@ struct RunSettings {
   double snapshot_interval = 0.0;     ///< s
   std::int64_t history_interval = 1;  ///< steps
   std::vector<Probe> probes;
+  std::vector<StopCondition> stops;
 };
 
 /// Reads what the solver owns of a scene; afterwards `document` holds the effective values. Throws InputError.

@@ -179,4 +179,34 @@ TEST_CASE("Killed: a history that does not reach the snapshot is told, and not g
   CHECK_THAT(outcome.faults, Contains("history.csv: the history ends at step"));
 }
 
+/// The settings of a run that a condition stops long before its end.
+const std::vector<std::string> stopped_runs{
+    "stop_when.kinetic-energy-steady={during='0.3 us', tolerance=0.05}",
+    "stop_when.reach={type='steady', column='front.position_x', during='0.2 us', tolerance=0.02}"};
+
+TEST_CASE("Stopped: a condition ends a run at the same step on any number of threads and where it was killed before") {
+  const auto condition = GENERATE(from_range(stopped_runs));
+  INFO(condition);
+  const SmallRun small("eulerian", {"time.end=30 us", "output.history=3",
+                                    "probe.front={body='bar', extreme='largest', fields=['position']}", condition});
+  const auto whole = small.unbroken();
+  const auto told = content_of(small.folder("unbroken/solve.json"));
+  CHECK_THAT(told, Contains("\"stopped_by\": \"" + condition.substr(10, condition.find('=') - 10) + ": "));
+  CHECK_THAT(content_of(small.folder("unbroken/run.log")), Contains("stopped by "));
+  CHECK_THAT(content_of(small.folder("unbroken/measurements.json")), Contains("\"stopped_by\""));
+  small.fill("two");
+  REQUIRE(small.program({stage_program("solve"), "two", "--threads", "2"}).code == 0);
+  CHECK(left_in(small.folder("two")).history == whole.history);
+  small.fill("killed");
+  std::mt19937 random(seed());
+  kill_at_random(small.start(small.solving("killed")), small.folder("killed/history.csv"), whole.history.size(),
+                 random);
+  REQUIRE(small.program(small.resuming("killed")).code == 0);
+  REQUIRE(small.program(small.resuming("killed")).code == 0);  // it is over, and stays so
+  small.measure("killed");
+  CHECK(left_in(small.folder("killed")).history == whole.history);
+  CHECK((left_in(small.folder("killed")).last_snapshot == whole.last_snapshot));
+  CHECK(left_in(small.folder("killed")).measurements == whole.measurements);
+}
+
 }  // namespace

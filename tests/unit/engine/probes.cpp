@@ -36,3 +36,14 @@ TEST_CASE("Probes: extremes go on after a restart", "[probes]") {
   Probes(wanted, p).save(state);
   CHECK(Probes(wanted, state).values(p) == std::vector<double>{-6.0});
 }
+
+TEST_CASE("Probes: extremes of a vector are those of each component", "[probes]") {
+  const auto p =
+      test::particles_on(Space::plane_strain, {{"body", "metal", 1.0, {2.0, -3.0}, {4, 3}, {0.0, 0.0}}}, 1.0);
+  Probes probes(
+      {{"low", "body", Shown::least, {}, {Field::position}}, {"high", "body", Shown::largest, {}, {Field::position}}},
+      p);
+  CHECK(probes.columns(p) ==
+        std::vector<std::string>{"low.position_x", "low.position_y", "high.position_x", "high.position_y"});
+  CHECK(probes.values(p) == std::vector<double>{2.0, -3.0, 5.0, -1.0});
+}

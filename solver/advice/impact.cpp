@@ -1,0 +1,150 @@
+#include "advice/impact.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "physics/eos/shock_slope.hpp"
+
+namespace tektite {
+namespace {
+
+double shear_modulus_of(const Material& material) {
+  return std::visit([](const auto& strength) { return strength.shear_modulus; }, material.strength);
+}
+
+/// Solids have u_s = c0 + s u_p with s from 1 to 2 (Marsh 1980, LASL Shock Hugoniot Data). What bends less or more is
+/// no fit to a solid's Hugoniot, and tells where the compression is no longer small.
+constexpr double least_slope = 1.0, largest_slope = 2.0;
+constexpr double small_compression = 0.05;
+
+/// c_l + 0.6 α c, the denominator of the time step, in m/s.
+double signal_speed(double sound, double shear_modulus, double density, double alpha) {
+  return std::sqrt(sound * sound + 4.0 / 3.0 * shear_modulus / density) + 0.6 * alpha * sound;
+}
+
+double shortening(const Material& material, const ShockedState& shocked, double alpha) {
+  const double shear = shear_modulus_of(material);
+  const double rest = std::sqrt(bulk_modulus_of(material) / material.density);
+  const double square = std::visit(
+      [&](const auto& eos) { return sound_speed_squared(eos, shocked.density, shocked.energy); }, material.eos);
+  return signal_speed(std::sqrt(square), shear, shocked.density, alpha) /
+         signal_speed(rest, shear, material.density, alpha);
+}
+
+/// Nothing where the model is in its range.
+std::vector<std::string> doubts(const Body& body, const Material& material, const ShockedState& shocked) {
+  std::vector<std::string> doubts;
+  const double compression = 1.0 - material.density / shocked.density;
+  const double slope = std::visit([](const auto& eos) { return shock_slope(eos); }, material.eos);
+  const auto eos = std::visit([](const auto& model) { return model.name; }, material.eos);
+  if (compression > small_compression && (slope < least_slope || slope > largest_slope) && eos != IdealGas::name)
+    doubts.push_back(
+        fmt::format("{}: compressed by {:.0f} %, where the equation of state {} has u_s = c + {:.2g} u_p; solids have "
+                    "{:g} to {:g}: "
+                    "prefer a fitted Hugoniot (mie-grueneisen)",
+                    body.name, 100.0 * compression, eos, slope, least_slope, largest_slope));
+  if (const auto* flow = std::get_if<JohnsonCook>(&material.strength)) {
+    const double left =
+        std::visit([&](const auto& model) { return energy_after_release(model, shocked); }, material.eos);
+    const double temperature = flow->room_temperature + left / flow->specific_heat;
+    if (temperature > flow->melting_temperature)
+      doubts.push_back(fmt::format(
+          "{}: left at {:.0f} K after the shock, above the melting temperature {:g} K: out of the range of the flow "
+          "law, and the equation of state knows no melt",
+          body.name, temperature, flow->melting_temperature));
+  }
+  return doubts;
+}
+
+/// How fast two bodies come nearer, and what is between them; a speed of zero where they do not.
+Meeting approach(const Particles& particles, const Body& a, const Body& b) {
+  const auto va = mean_velocity(particles, a), vb = mean_velocity(particles, b);
+  const auto position = particles.reals(Field::position);
+  const auto width = va.size();
+  double along = 0.0, square = 0.0, apart = 0.0;
+  for (std::size_t k = 0; k < width; ++k) {
+    double low[2], high[2];
+    for (const int side : {0, 1}) {
+      const auto& range = side == 0 ? a.range : b.range;
+      low[side] = high[side] = position[range.begin * width + k];
+      for (std::size_t i = range.begin; i < range.end; ++i) {
+        low[side] = std::min(low[side], position[i * width + k]);
+        high[side] = std::max(high[side], position[i * width + k]);
+      }
+    }
+    // Between the extents along this axis; zero where they overlap.
+    const double gap = low[0] > high[1] ? low[0] - high[1] : low[1] > high[0] ? high[0] - low[1] : 0.0;
+    along += gap * (va[k] - vb[k]);
+    square += (va[k] - vb[k]) * (va[k] - vb[k]);
+    apart += gap * gap;
+  }
+  return {&a, &b, along < 0.0 ? std::sqrt(square) : 0.0, std::sqrt(apart), std::nullopt};
+}
+
+}  // namespace
+
+double wave_speed_at_rest(const Material& material) {
+  return std::sqrt((bulk_modulus_of(material) + 4.0 / 3.0 * shear_modulus_of(material)) / material.density);
+}
+
+std::vector<double> mean_velocity(const Particles& particles, const Body& body) {
+  const auto width = static_cast<std::size_t>(particles.dimensions());
+  const auto velocity = particles.reals(Field::velocity), mass = particles.reals(Field::mass);
+  std::vector<double> mean(width, 0.0);
+  double whole = 0.0;
+  for (std::size_t i = body.range.begin; i < body.range.end; ++i) {
+    for (std::size_t k = 0; k < width; ++k) mean[k] += mass[i] * velocity[i * width + k];
+    whole += mass[i];
+  }
+  for (auto& component : mean) component /= whole;
+  return mean;
+}
+
+std::vector<Meeting> meetings(const Particles& particles, const std::map<std::string, Material>& materials) {
+  std::vector<Meeting> all;
+  const auto& bodies = particles.bodies();
+  for (std::size_t a = 0; a < bodies.size(); ++a)
+    for (std::size_t b = a + 1; b < bodies.size(); ++b) {
+      auto meeting = approach(particles, bodies[a], bodies[b]);
+      if (meeting.closing_speed == 0.0) continue;
+      meeting.shocked = std::visit(
+          [&](const auto& first, const auto& second) { return match_impedances(first, second, meeting.closing_speed); },
+          materials.at(bodies[a].material).eos, materials.at(bodies[b].material).eos);
+      all.push_back(meeting);
+    }
+  return all;
+}
+
+double step_shortening(const std::vector<Meeting>& meetings, const std::map<std::string, Material>& materials,
+                       double alpha) {
+  double most = 1.0;
+  for (const auto& meeting : meetings) {
+    if (!meeting.shocked) continue;
+    most = std::max(most, shortening(materials.at(meeting.first->material), meeting.shocked->first, alpha));
+    most = std::max(most, shortening(materials.at(meeting.second->material), meeting.shocked->second, alpha));
+  }
+  return most;
+}
+
+std::vector<std::string> in_words(const std::vector<Meeting>& meetings,
+                                  const std::map<std::string, Material>& materials) {
+  std::vector<std::string> lines;
+  for (const auto& meeting : meetings) {
+    const auto names =
+        fmt::format("{} meets {} at {:.4g} m/s", meeting.first->name, meeting.second->name, meeting.closing_speed);
+    if (!meeting.shocked) {
+      lines.push_back(names + ": an equation of state has no shock of this speed, and is out of its range");
+      continue;
+    }
+    const auto &a = meeting.shocked->first, &b = meeting.shocked->second;
+    lines.push_back(fmt::format("{}: {:.4g} GPa by Hugoniot matching, shocks of {:.4g} m/s in {} and {:.4g} m/s in {}",
+                                names, 1e-9 * a.pressure, a.shock_speed, meeting.first->name, b.shock_speed,
+                                meeting.second->name));
+    for (const auto& [body, state] : {std::pair{meeting.first, &a}, std::pair{meeting.second, &b}})
+      for (auto& doubt : doubts(*body, materials.at(body->material), *state)) lines.push_back(std::move(doubt));
+  }
+  return lines;
+}
+
+}  // namespace tektite

@@ -1,0 +1,42 @@
+#pragma once
+// What happens where bodies meet, from their materials and velocities alone.
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/particles.hpp"
+#include "physics/hugoniot.hpp"
+#include "physics/material.hpp"
+
+namespace tektite {
+
+/// Speed of the longitudinal wave in a material at rest, m/s.
+double wave_speed_at_rest(const Material& material);
+
+/// One body's mean velocity over its mass, m/s, with as many components as the space has.
+std::vector<double> mean_velocity(const Particles& particles, const Body& body);
+
+/// Two bodies that come nearer.
+struct Meeting {
+  const Body* first = nullptr;
+  const Body* second = nullptr;
+  double closing_speed = 0.0;     ///< m/s, of the mean velocities
+  double gap = 0.0;               ///< between their outermost particles, m
+  std::optional<Impact> shocked;  ///< nothing where an equation of state has no such shock
+};
+
+/// Every two bodies whose mean velocities bring them together.
+std::vector<Meeting> meetings(const Particles& particles, const std::map<std::string, Material>& materials);
+
+/// By how much a time step is shorter in impacted material than in the same at rest: the ratio of c_l + 0.6 α c behind
+/// and before the strongest shock; 1 where nothing meets.
+double step_shortening(const std::vector<Meeting>& meetings, const std::map<std::string, Material>& materials,
+                       double alpha);
+
+/// Pressures of the meetings, and where they leave the range of an equation of state or a flow law; a line each.
+std::vector<std::string> in_words(const std::vector<Meeting>& meetings,
+                                  const std::map<std::string, Material>& materials);
+
+}  // namespace tektite

@@ -1,0 +1,152 @@
+// What tektite check finds in a scene: symmetry, thickness, what waves reach, and the pressure of an impact.
+#include <catch2/catch.hpp>
+
+#include "advice/impact.hpp"
+#include "advice/reach.hpp"
+#include "advice/symmetry.hpp"
+#include "advice/thickness.hpp"
+#include "support/lattice.hpp"
+
+using namespace tektite;
+
+namespace {
+
+using test::Lattice;
+
+RunSettings settings_of(const std::string& scene) {
+  auto document = Document::parse("name = 'test'\n" + scene, "test scene");
+  return read_run_settings(document);
+}
+
+MieGrueneisen aluminium() { return {2785.0, 5328.0, 1.338, 2.0}; }
+
+/// A ball of this radius in spacings before a plate of 4 x 24 x 24 cells, both centred about the x axis.
+Particles ball_and_plate(double offset = 0.0, double sideways = 0.0) {
+  auto ball = test::ball(3, 1.0, 3.5);
+  ball.body = "ball";
+  ball.first = {-8.0, -3.5 + offset, -3.5};
+  ball.inside = [offset](const double* x) { return std::hypot(x[0] + 4.5, x[1] - offset, x[2]) <= 3.5; };
+  ball.velocity = {1000.0, sideways, 0.0};
+  return test::particles_on(
+      Space::solid, {ball, Lattice{"plate", "metal", 1.0, {0.5, -11.5, -11.5}, {4, 24, 24}, {0.0, 0.0, 0.0}}}, 1.0);
+}
+
+std::vector<int> axes_of(const std::vector<SymmetryPlane>& planes) {
+  std::vector<int> axes;
+  for (const auto& plane : planes) axes.push_back(plane.axis);
+  return axes;
+}
+
+}  // namespace
+
+TEST_CASE("Hugoniot: Mie-Grüneisen about u_s = c0 + s u_p gives it back", "[advice]") {
+  for (const double up : {1.0, 100.0, 1000.0, 4000.0}) {
+    const auto shock = shock_of_speed(aluminium(), up);
+    REQUIRE(shock);
+    const double us = 5328.0 + 1.338 * up;
+    CHECK(shock->shock_speed == Approx(us).epsilon(1e-9));
+    CHECK(shock->pressure == Approx(2785.0 * us * up).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("Hugoniot: an impact of equals moves both by half, an impact of unequals has one pressure", "[advice]") {
+  const auto equal = match_impedances(aluminium(), aluminium(), 3100.0);
+  REQUIRE(equal);
+  CHECK(equal->first.particle_speed == Approx(1550.0));
+  const LinearEos steel{7870.0, 166.7e9};
+  const auto unequal = match_impedances(steel, aluminium(), 3100.0);
+  REQUIRE(unequal);
+  CHECK(unequal->first.pressure == Approx(unequal->second.pressure));
+  CHECK(unequal->first.particle_speed + unequal->second.particle_speed == Approx(3100.0));
+  CHECK(unequal->first.particle_speed < unequal->second.particle_speed);
+}
+
+TEST_CASE("Hugoniot: what an equation of state cannot be compressed to has no shock", "[advice]") {
+  const IdealGas gas{1.0, 1.4};
+  CHECK_FALSE(shock_of_speed(gas, 1000.0));  // without energy it has no pressure
+  const PolynomialEos softening{2785.0, 80e9, -400e9, 0.0};
+  CHECK_FALSE(match_impedances(softening, softening, 4000.0));
+}
+
+TEST_CASE("Hugoniot: release keeps the waste heat, exactly where pressure hangs on density alone", "[advice]") {
+  const LinearEos steel{7870.0, 166.7e9};
+  const auto shock = *shock_of_speed(steel, 1000.0);
+  // ∫ p dρ/ρ² from ρ0 to ρ with p = K (ρ/ρ0 - 1); the rest of the shock's energy stays.
+  const double ratio = shock.density / 7870.0;
+  const double given_back = 166.7e9 / 7870.0 * (std::log(ratio) + 1.0 / ratio - 1.0);
+  CHECK(energy_after_release(steel, shock) == Approx(shock.energy - given_back).epsilon(1e-3));
+  // Weak shocks are isentropic to the third order of u_p; aluminium from 78 GPa is left above its melting point.
+  const auto slow = *shock_of_speed(aluminium(), 10.0), fast = *shock_of_speed(aluminium(), 3000.0);
+  CHECK(energy_after_release(aluminium(), slow) < 0.01 * slow.energy);
+  CHECK(energy_after_release(aluminium(), fast) / 875.0 > 933.0 - 298.0);
+}
+
+TEST_CASE("Advice: mirrors are found where particles and velocities are mirrored, and only there", "[advice]") {
+  CHECK(axes_of(unused_mirrors(ball_and_plate(), {})) == std::vector<int>{1, 2});
+  CHECK(axes_of(unused_mirrors(ball_and_plate(), {{1, 0.0, 1.0}})) == std::vector<int>{2});
+  CHECK(axes_of(unused_mirrors(ball_and_plate(1.0), {})) == std::vector<int>{2});
+  CHECK(axes_of(unused_mirrors(ball_and_plate(0.0, 10.0), {})) == std::vector<int>{2});
+  for (const auto& plane : unused_mirrors(ball_and_plate(), {})) CHECK(plane.at == Approx(0.0).margin(1e-12));
+  auto clamped = ball_and_plate();
+  clamped.allocate(Field::clamped);
+  clamped.integers(Field::clamped).back() = 1;  // a corner
+  CHECK(unused_mirrors(clamped, {}).empty());
+}
+
+TEST_CASE("Advice: bodies of revolution are found about their axis, and a square plate is none", "[advice]") {
+  const auto lines_of = [](const Particles& particles) { return unused_revolutions(particles, {}); };
+  CHECK(lines_of(ball_and_plate()).empty());
+  const auto round = [](const double* x) { return std::hypot(x[1], x[2]) <= 12.0; };
+  Lattice rod{"rod", "metal", 1.0, {-9.5, -11.5, -11.5}, {20, 24, 24}, {300.0, 0.0, 0.0}, round};
+  const auto rods = test::particles_on(Space::solid, {rod}, 1.0);
+  const auto found = lines_of(rods);
+  REQUIRE(found.size() == 1);
+  CHECK(found.front().axis == 0);
+  CHECK(found.front().section_particles == Approx(20.0 * 12.0).epsilon(0.1));
+  rod.velocity = {300.0, 10.0, 0.0};
+  CHECK(lines_of(test::particles_on(Space::solid, {rod}, 1.0)).empty());
+  auto ball = test::ball(2, 1.0, 10.0);
+  CHECK(lines_of(test::particles_on(Space::plane_strain, {ball}, 1.0)).size() == 1);
+}
+
+TEST_CASE("Advice: particles through a plate, a tilted row's end and a plate behind a symmetry plane", "[advice]") {
+  const auto particles = ball_and_plate();
+  const auto through = [&](const std::vector<SymmetryPlane>& planes) {
+    return particles_through(particles, particles.bodies()[1], planes);
+  };
+  CHECK(through({}) == 4.0);
+  CHECK(through({{0, 4.0, -1.0}}) == 8.0);  // the plate ends half a spacing before it
+  CHECK(through({{0, 9.0, -1.0}}) == 4.0);
+  const double ball = particles_through(particles, particles.bodies()[0], {});
+  CHECK(ball >= 4.0);  // seven across its middle, fewer beside it
+  CHECK(ball <= 7.0);
+}
+
+TEST_CASE("Advice: what waves do not reach is found, with room for the fastest of them", "[advice]") {
+  const std::string scene =
+      "space = 'plane-strain'\n[material.metal]\ndensity = 2785.0\n"
+      "eos = { model = 'mie-grueneisen', bulk_sound_speed = 5328.0, hugoniot_slope = 1.338, grueneisen = 2.0 }\n"
+      "strength = { model = 'elastic', shear_modulus = '27.6 GPa' }\n[body.ball]\nmaterial = 'metal'\n"
+      "[body.plate]\nmaterial = 'metal'\n[time]\nend = '10 us'\n";
+  const double d = 1e-3;
+  const Lattice ball{"ball", "metal", d, {-10.5 * d, -4.5 * d}, {10, 10}, {1000.0, 0.0}};
+  const Lattice plate{"plate", "metal", d, {0.5 * d, -199.5 * d}, {20, 400}, {0.0, 0.0}};
+  const auto particles = test::particles_on(Space::plane_strain, {ball, plate}, 2785.0);
+  const auto settings = settings_of(scene);
+  const auto met = meetings(particles, settings.materials);
+  REQUIRE(met.size() == 1);
+  const auto trims = unreached(particles, settings, met);
+  REQUIRE(trims.size() == 1);
+  CHECK(trims[0].body->name == "plate");
+  // 10 µs at c_l = 6450 m/s, faster than the shock of 6000 m/s, beyond the ball's edge, and the kernel.
+  const double c = wave_speed_at_rest(settings.materials.at("metal"));
+  CHECK(c == Approx(6450.0).epsilon(0.01));
+  const double reach = c * 10e-6 + 2.8 * d + 4.5 * d;
+  CHECK(trims[0].upper[1] == Approx(reach).margin(2 * d));
+  CHECK(trims[0].lower[1] == Approx(-reach).margin(2 * d));
+  CHECK(trims[0].upper[0] - trims[0].lower[0] == Approx(20 * d));
+  // A plate that does something by itself is left alone.
+  auto stirred = particles;
+  stirred.reals(Field::velocity).back() = 1.0;
+  CHECK(unreached(stirred, settings, meetings(stirred, settings.materials)).empty());
+}
