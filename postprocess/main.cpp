@@ -21,13 +21,14 @@ int run(int argc, const char* const* argv) {
   line.about =
       "Measures a run, writes it for ParaView and draws it; can be run again with other measures and pictures.";
   line.options.add_options()("check", "validate the measures and pictures of a scene file; computes nothing")(
-      "chart", po::value(&study), "chart the runs that this study has left in the folder")(
-      "page", "write one page about the runs")("output,o", po::value(&options.output),
+      "chart", po::value(&study)->value_name("STUDY.toml"), "chart the runs that this study has left in the folder")(
+      "page", "write one page about the runs")("output,o", po::value(&options.output)->value_name("PLACE"),
                                                "folder to write to instead of the run's; the page's file")(
-      "scene", po::value(&options.scene), "take measures and pictures from this scene file")(
-      "variant", po::value(&options.variant), "variant of that scene file, or of the run, which picks the references")(
-      "set", po::value(&options.settings)->composing(), "KEY=VALUE laid over the scene file")(
-      "reference", po::value(&options.reference), "file of published values to compare with")(
+      "scene", po::value(&options.scene)->value_name("SCENE.toml"), "take measures and pictures from this scene file")(
+      "variant", po::value(&options.variant)->value_name("V"),
+      "variant of that scene file, or of the run, which picks the references")(
+      "set", po::value(&options.settings)->value_name("KEY=VALUE")->composing(), "KEY=VALUE laid over the scene file")(
+      "reference", po::value(&options.reference)->value_name("FILE.toml"), "file of published values to compare with")(
       "no-pictures", "numbers and ParaView files only");
   line.hidden.add_options()("run", po::value(&runs));
   line.positional.add("run", -1);

@@ -18,11 +18,13 @@ CommandLine command_line() {
   line.usage = "tektite-preprocess SCENE.toml [--variant V] [--set KEY=VALUE]... (-o FILE.h5 | --check)";
   line.about =
       "Fills the bodies of a scene with particles and writes them, with the effective scene, as the state at time 0.";
-  line.options.add_options()("variant", po::value<std::string>()->default_value(""), "the [variant.NAME] to compute")(
-      "set", po::value<std::vector<std::string>>()->composing()->default_value({}, ""), "override a key, as KEY=VALUE")(
-      "output,o", po::value<std::string>(), "the particle file to write")("check", "do everything but write")(
-      "threads", po::value<int>(), "number of threads; all by default")(
-      "most-particles", po::value<double>()->default_value(preprocess::default_most_particles, "2e8"),
+  line.options.add_options()("variant", po::value<std::string>()->value_name("V")->default_value("", ""),
+                             "the [variant.NAME] to compute")(
+      "set", po::value<std::vector<std::string>>()->value_name("KEY=VALUE")->composing()->default_value({}, ""),
+      "override a key, as KEY=VALUE")("output,o", po::value<std::string>()->value_name("FILE.h5"),
+                                      "the particle file to write")("check", "do everything but write")(
+      "threads", po::value<int>()->value_name("N"), "number of threads; all by default")(
+      "most-particles", po::value<double>()->value_name("N")->default_value(preprocess::default_most_particles, "2e8"),
       "refuse scenes with more particles than this");
   line.hidden.add_options()("scene", po::value<std::string>());
   line.positional.add("scene", 1);

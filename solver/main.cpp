@@ -14,9 +14,10 @@ int main(int argc, char** argv) {
         "Computes the run whose initial particles are DIR/particles.h5; leaves DIR/snapshots/*.h5, DIR/history.csv,\n"
         "DIR/solve.json and DIR/run.log.";
     line.options.add_options()("resume", "go on from the newest snapshot")(
-        "threads", po::value<int>()->default_value(0), "threads to use (0: all that there are)")(
-        "check", po::value<std::string>(), "say what a run of these particles would do; compute nothing that is kept")(
-        "advice", po::value<std::string>(),
+        "threads", po::value<int>()->value_name("N")->default_value(0), "threads to use (0: all that there are)")(
+        "check", po::value<std::string>()->value_name("FILE.h5"),
+        "say what a run of these particles would do; compute nothing that is kept")(
+        "advice", po::value<std::string>()->value_name("FILE"),
         "with --check: say what could be saved, and write the settings for it here");
     line.hidden.add_options()("folder", po::value<std::string>())("lock", po::value<int>()->default_value(-1));
     line.positional.add("folder", 1);

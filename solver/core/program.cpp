@@ -8,6 +8,7 @@
 #include <new>
 
 #include "core/error.hpp"
+#include "core/manual.hpp"
 #include "core/version.hpp"
 
 namespace tektite {
@@ -35,6 +36,8 @@ bool parse_command_line(CommandLine& line, int argc, const char* const* argv,
                         boost::program_options::variables_map& values) {
   namespace po = boost::program_options;
   line.options.add_options()("help,h", "show this help")("version", "show the version");
+  // For the build, which makes the man pages and the shell's completion of them.
+  line.hidden.add_options()("man-page", "")("list-options", "");
   po::options_description all;
   all.add(line.options).add(line.hidden);
   try {
@@ -45,6 +48,14 @@ bool parse_command_line(CommandLine& line, int argc, const char* const* argv,
     }
     if (values.contains("version")) {
       std::cout << "tektite " << version << '\n';
+      return true;
+    }
+    if (values.contains("man-page")) {
+      std::cout << man_page(manual_of(line));
+      return true;
+    }
+    if (values.contains("list-options")) {
+      std::cout << option_words(line) << '\n';
       return true;
     }
     po::notify(values);

@@ -21,8 +21,9 @@ struct CommandLine {
   boost::program_options::positional_options_description positional;
 };
 
-/// Parses; adds --help and --version and answers them: true where the program has nothing more to do.
-/// Throws InputError where the command line is wrong.
+/// Parses; adds --help and --version and answers them: true where the program has nothing more to do. Answered too, but
+/// in no help, are --man-page and --list-options, of which man pages and completion are made (core/manual.hpp). Throws
+/// InputError where the command line is wrong.
 bool parse_command_line(CommandLine& line, int argc, const char* const* argv,
                         boost::program_options::variables_map& values);
 

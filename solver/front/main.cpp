@@ -7,12 +7,15 @@
 #include <string_view>
 
 #include "core/error.hpp"
+#include "core/manual.hpp"
 #include "core/program.hpp"
 #include "core/version.hpp"
 #include "front/commands.hpp"
 
 namespace tektite::front {
 namespace {
+
+constexpr std::string_view about = "High-velocity impact of solids with smoothed particle hydrodynamics.";
 
 struct Command {
   std::string_view name;
@@ -62,12 +65,30 @@ int help(const Words& arguments) {
   return exit_done;
 }
 
+/// The commands as the man page of tektite.
+std::string commands_in_roff() {
+  Manual manual{"tektite", "tektite COMMAND ...", std::string(about), "COMMANDS", {}};
+  for (const auto& command : commands())
+    manual.entries.emplace_back(fmt::format("{} {}", command.name, command.arguments), command.about);
+  return man_page(manual);
+}
+
+std::string words_for_the_shell() {
+  std::string words;
+  for (const auto& command : commands()) words += fmt::format("{} ", command.name);
+  return words + "--help --version\n";
+}
+
 int start(const Words& words) {
   if (words.empty()) throw InputError({{}, {}, {}, "no command is given", "see tektite help"});
   const Words arguments(words.begin() + 1, words.end());
   if (words.front() == "--help" || words.front() == "-h") return help({});
   if (words.front() == "--version") {
     fmt::print("tektite {}\n", version);
+    return exit_done;
+  }
+  if (words.front() == "--man-page" || words.front() == "--list-options") {
+    fmt::print("{}", words.front() == "--man-page" ? commands_in_roff() : words_for_the_shell());
     return exit_done;
   }
   return command_named(words.front()).run(arguments);

@@ -1,0 +1,9 @@
+# find_package(tektite): the target tektite::solver, and tektite::core for scenes and particle files alone.
+include(CMakeFindDependencyMacro)
+find_dependency(fmt)
+find_dependency(spdlog)
+find_dependency(Eigen3)
+find_dependency(Boost COMPONENTS program_options)
+find_dependency(OpenMP COMPONENTS CXX)
+find_dependency(Threads)
+include(${CMAKE_CURRENT_LIST_DIR}/tektiteTargets.cmake)
