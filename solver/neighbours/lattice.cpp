@@ -72,6 +72,7 @@ std::optional<Lattice<D>> Lattice<D>::find(std::span<const Vector<double, D>> pl
 
   Lattice lattice;
   lattice.pitch_ = static_cast<std::size_t>(pitch);
+  lattice.plane_ = static_cast<std::size_t>(D == 3 ? stride[axes[D - 1]] : rows);
   lattice.records_.assign(static_cast<std::size_t>((rows + 2 * reach) * pitch), nobody);
   for (std::size_t n = 0; n < points->size(); ++n) {
     std::ptrdiff_t row = reach;

@@ -2,22 +2,19 @@
 // A body whose particles lie on a cubic lattice along the axes: the neighbours of every particle are at the same
 // offsets, so no list of them is needed, and what particles side by side read lies side by side.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "core/pack.hpp"
 #include "core/tensor.hpp"
 
 namespace tektite {
-
-/// Where a cell lies: its row, and its place in the row.
-struct LatticeCell {
-  std::size_t row, column;
-};
 
 /// A box of rows of cells, of which each holds a record or nobody. Each row, and the box, has as many empty cells on
 /// every side as a neighbour can be away, so that the way to a neighbour never leads to another particle or out of the
@@ -30,10 +27,6 @@ class Lattice {
   struct Neighbour {
     std::ptrdiff_t rows, columns;  ///< from the particle's cell to its own
     Vector<double, D> x;           ///< X_a - X_b, m
-
-    LatticeCell from(const LatticeCell& cell) const {
-      return {cell.row + static_cast<std::size_t>(rows), cell.column + static_cast<std::size_t>(columns)};
-    }
   };
 
   /// The lattice of the records `members` at these places, with neighbours nearer than `support`. None where they do
@@ -48,7 +41,8 @@ class Lattice {
   std::size_t rows() const { return records_.size() / pitch_; }
   std::span<const Neighbour> neighbours() const { return neighbours_; }
 
-  /// First cells of the packs of wide_pack_width cells that have to be visited, counted row by row.
+  /// First cells of the packs of wide_pack_width cells that have to be visited, counted row by row. Packs that follow
+  /// each other are neighbours across the rows of a plane, and read mostly the same rows: they find them in the cache.
   std::span<const std::uint32_t> packs() const { return packs_; }
 
   /// Visits only packs with a record of which wanted(record) says yes.
@@ -63,12 +57,18 @@ class Lattice {
       packs_.push_back(static_cast<std::uint32_t>(cell));
       cell += wide_pack_width;
     }
+    const auto along_planes = [this](std::uint32_t cell) {
+      const auto row = cell / pitch_, column = cell % pitch_ / wide_pack_width;
+      return std::tuple(row / plane_, column, row);
+    };
+    std::ranges::stable_sort(packs_, {}, along_planes);
   }
 
   std::size_t memory() const { return sizeof(std::uint32_t) * (records_.capacity() + packs_.capacity()); }
 
  private:
   std::size_t pitch_ = 0;
+  std::size_t plane_ = 0;  ///< rows of a plane
   std::vector<std::uint32_t> records_;
   std::vector<Neighbour> neighbours_;
   std::vector<std::uint32_t> packs_;

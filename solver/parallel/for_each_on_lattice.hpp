@@ -11,31 +11,39 @@
 
 namespace tektite {
 
+/// A pair of a lattice: what it is, and the way to the neighbour in numbers of transposed records.
+template <class Pair>
+struct LatticePair {
+  Pair pair;
+  std::ptrdiff_t way;
+};
+
 /// Some packs, on one thread. Flattened as gather_block is.
-template <int D, class Pair, class Pass>
-[[gnu::flatten]] void gather_packs(const Lattice<D>& lattice, std::span<const std::uint32_t> packs,
-                                   std::span<const Pair> pairs, const Pass& pass, std::size_t count) {
-  const auto neighbours = lattice.neighbours();
+template <int D, class Rows, class Pair, class Pass>
+[[gnu::flatten]] void gather_packs(const Lattice<D>& lattice, const Rows& rows, std::span<const std::uint32_t> packs,
+                                   std::span<const LatticePair<Pair>> pairs, const Pass& pass, std::size_t count) {
   for (const std::size_t first : packs) {
-    const LatticeCell cell{first / lattice.pitch(), first % lattice.pitch()};
-    const auto self = pass.begin(cell);
+    const auto place = rows.place(first);
+    const auto self = pass.begin(place);
     typename Pass::Sums sums;
-    for (std::size_t n = 0; n < neighbours.size(); ++n) pass.add(self, pairs[n], neighbours[n].from(cell), sums);
+    for (const auto& [pair, way] : pairs) pass.add(self, pair, place + way, sums);
+    const auto whole = sums;  // taking lanes out of `sums` itself would put them into memory in every turn of the loop
     for (std::size_t lane = 0; lane < wide_pack_width; ++lane)
-      if (const auto i = lattice.records()[first + lane]; i < count) pass.end(i, sums, lane);
+      if (const auto i = lattice.records()[first + lane]; i < count) pass.end(i, whole, lane);
   }
 }
 
-/// For every pack of the lattice: pass.begin(cell), then pass.add(self, pair, cell, sums) for every neighbour, whose
-/// pair stands in `pairs` in the same order; then pass.end(i, sums, lane) for each of the pack's records below `count`,
-/// the others being images.
-template <int D, class Pair, class Pass>
-void for_each_on_lattice(const Lattice<D>& lattice, std::span<const Pair> pairs, const Pass& pass, std::size_t count) {
+/// For every pack of the lattice: pass.begin(place), then pass.add(self, pair, place, sums) for every pair, where the
+/// neighbours stand in `rows`; then pass.end(i, sums, lane) for each of the pack's records below `count`, the others
+/// being images.
+template <int D, class Rows, class Pair, class Pass>
+void for_each_on_lattice(const Lattice<D>& lattice, const Rows& rows, std::span<const LatticePair<Pair>> pairs,
+                         const Pass& pass, std::size_t count) {
   constexpr std::size_t chunk = 64;
   const auto packs = lattice.packs();
 #pragma omp parallel for schedule(dynamic, 1)
   for (std::size_t first = 0; first < packs.size(); first += chunk)
-    gather_packs(lattice, packs.subspan(first, std::min(chunk, packs.size() - first)), pairs, pass, count);
+    gather_packs(lattice, rows, packs.subspan(first, std::min(chunk, packs.size() - first)), pairs, pass, count);
 }
 
 }  // namespace tektite

@@ -35,9 +35,9 @@ struct InterfaceStress {
   struct Self {
     Vector<Pack, 2> reference, x, v;
     Tensor<Pack, 2> cofactor;
+    Vector<Pack, 2> cofactor_shift;
     Pack r[3];
     Pack h, spacing;
-    Correction<Pack, 2> correction;
   };
   struct Sums {
     Vector<Pack, 2> force = Vector<Pack, 2>::zero();
@@ -49,8 +49,8 @@ struct InterfaceStress {
     a.reference = broadcast(reference[i].x);
     a.x = broadcast(motion[i].x);
     a.v = broadcast(motion[i].v);
-    a.correction = broadcast(reference[i].correction);
     a.cofactor = broadcast(stress[i].cofactor);
+    a.cofactor_shift = broadcast(stress[i].cofactor_shift);
     broadcast(artificial[i].r, a.r);
     a.h = reference[i].smoothing_length;
     a.spacing = artificial[i].spacing;
@@ -61,8 +61,8 @@ struct InterfaceStress {
     const auto reference_x = a.reference - gathered(reference, j, &ReferenceRecord<2>::x);
     const auto x = a.x - gathered(motion, j, &MotionRecord<2>::x);
     const auto v = a.v - gathered(motion, j, &MotionRecord<2>::v);
-    const auto correction = gathered(reference, j, &ReferenceRecord<2>::correction);
     const auto cofactor = gathered(stress, j, &StressRecord<2>::cofactor);
+    const auto cofactor_shift = gathered(stress, j, &StressRecord<2>::cofactor_shift);
     Pack r[3];
     gather_into(r, artificial, j, &ArtificialStressRecord::r);
     const Pack h = Pack(0.5) * (a.h + gathered(reference, j, &ReferenceRecord<2>::smoothing_length));
@@ -70,8 +70,8 @@ struct InterfaceStress {
     const KernelPair<Kernel, 2> pair(reference_x, h), now(x, h);
     const Pack power = closeness<Kernel, 2>(now.value, spacing, h, settings.exponent);
 
-    const auto here = times(a.cofactor, a.correction.gradient(pair.slope, pair.value));
-    const auto there = times(cofactor, correction.gradient(Pack(-1.0) * pair.slope, pair.value));
+    const auto here = times(a.cofactor, pair.slope) - pair.value * a.cofactor_shift;
+    const auto there = Pack(-1.0) * times(cofactor, pair.slope) - pair.value * cofactor_shift;
     const Pack push[2] = {a.r[0] * here[0] + a.r[2] * here[1] - r[0] * there[0] - r[2] * there[1],
                           a.r[2] * here[0] + a.r[1] * here[1] - r[2] * there[0] - r[1] * there[1]};
     const Pack volume = gathered(reference, j, &ReferenceRecord<2>::volume);

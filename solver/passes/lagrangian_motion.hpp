@@ -2,7 +2,8 @@
 
 #include <cmath>
 
-#include "core/tensor.hpp"
+#include "core/tensor_algebra.hpp"
+#include "core/tensor_product.hpp"
 #include "passes/across.hpp"
 #include "passes/lagrangian_records.hpp"
 
@@ -31,7 +32,6 @@ template <int D, bool rings>
 struct Deform {
   const ReferenceRecord<D>* reference;  ///< without volume where the particle has failed: it is not deformed any more
   const Tensor<double, D>* deformation;
-  const Tensor<double, D>* rate;
   const double* mass;
   const double* reference_volume;
   const double* density;
@@ -43,7 +43,7 @@ struct Deform {
   double* across_rate;    ///< of rings, 1/s
   double half_step;
   StressRecord<D>* records;
-  Tensor<double, D>* velocity_gradient;
+  Tensor<double, D>* velocity_gradient;  ///< Ḟ of total-Lagrangian particles before
   double* half_density;
   double* half_energy;
 
@@ -62,10 +62,11 @@ struct Deform {
     r.cofactor = cofactor(deformation[i]);
     if (reference[i].lagrangian != 0.0) {
       r.jacobian = determinant(deformation[i]);
+      const auto rate = l;
       for (int a = 0; a < D; ++a)
         for (int b = 0; b < D; ++b) {  // F⁻¹ = Cᵀ/J
           double sum = 0.0;
-          for (int k = 0; k < D; ++k) sum += rate[i](a, k) * r.cofactor(b, k);
+          for (int k = 0; k < D; ++k) sum += rate(a, k) * r.cofactor(b, k);
           l(a, b) = sum / r.jacobian;
         }
       half_density[i] = mass[i] / (reference_volume[i] * r.jacobian);
@@ -80,7 +81,7 @@ struct Deform {
   }
 };
 
-/// P = J σ F⁻ᵀ in the middle of a step, and what the viscosity needs.
+/// P = J σ F⁻ᵀ in the middle of a step for `stress`, and what the viscosity needs.
 template <int D>
 struct AssembleStress {
   const Symmetric<double, D>* half_deviatoric_stress;
@@ -101,6 +102,25 @@ struct AssembleStress {
       }
     r.density = half_density[i];
     r.sound_speed = half_sound_speed[i];
+  }
+};
+
+/// Brings volume and correction into what acts on neighbours: `stress` and `cofactor` are P and J F⁻ᵀ before.
+template <int D, bool corrected>
+struct WeighStress {
+  const ReferenceRecord<D>* reference;
+  StressRecord<D>* records;
+
+  void operator()(std::size_t i) const {
+    auto& r = records[i];
+    for (auto& component : r.stress.c) component *= reference[i].volume;
+    if constexpr (corrected) {
+      const auto& correction = reference[i].correction;
+      r.stress = product(r.stress, correction.matrix);
+      r.cofactor = product(r.cofactor, correction.matrix);
+      r.stress_shift = times(r.stress, correction.shift);
+      r.cofactor_shift = times(r.cofactor, correction.shift);
+    }
   }
 };
 

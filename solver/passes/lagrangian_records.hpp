@@ -9,8 +9,8 @@ namespace tektite {
 /// What a total-Lagrangian pair needs of the reference configuration; made once, but for the kernel type.
 template <int D>
 struct ReferenceRecord {
-  Vector<double, D> x;  ///< X, m
   double volume;        ///< V_0
+  Vector<double, D> x;  ///< X, m
   double smoothing_length;
   double lagrangian;                 ///< 1 where its kernel is of the reference configuration, 0 where it is Eulerian
   Correction<double, D> correction;  ///< stands last
@@ -30,19 +30,24 @@ struct MotionRecord {
   void mirror(int axis, double at) { mirror_motion(*this, axis, at); }
 };
 
-/// What it acts with.
+/// What it acts with. Gradients of a corrected kernel are matrix (∇W - shift W): a pair multiplies the plain one by the
+/// products that stand here, and needs no correction of its neighbour.
 template <int D>
 struct StressRecord {
-  Tensor<double, D> stress;    ///< first Piola-Kirchhoff stress P = J σ F⁻ᵀ, Pa
-  Tensor<double, D> cofactor;  ///< J F⁻ᵀ
-  double jacobian;             ///< J
-  double density;              ///< ρ
-  double sound_speed;          ///< c, bulk
-  double least_stretch;        ///< the smallest principal one of F, at most 1
+  double density;                    ///< ρ
+  double sound_speed;                ///< c, bulk
+  double least_stretch;              ///< the smallest principal one of F, at most 1
+  Tensor<double, D> stress;          ///< V_0 P `matrix` with the first Piola-Kirchhoff stress P = J σ F⁻ᵀ, J
+  Tensor<double, D> cofactor;        ///< J F⁻ᵀ `matrix`
+  Vector<double, D> stress_shift;    ///< `stress` times `shift`; zero without correction
+  Vector<double, D> cofactor_shift;  ///< `cofactor` times `shift`; zero without correction
+  double jacobian;                   ///< J
 
   void mirror(int axis, double) {
     mirror_tensor(stress, axis);
     mirror_tensor(cofactor, axis);
+    stress_shift[axis] = -stress_shift[axis];
+    cofactor_shift[axis] = -cofactor_shift[axis];
   }
 };
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <type_traits>
 
 #include "core/pack.hpp"
+#include "core/tensor_product.hpp"
 #include "passes/kernel_pair.hpp"
 #include "passes/lagrangian_records.hpp"
 #include "passes/transposed.hpp"
@@ -34,8 +34,8 @@ struct ListedRecords {
 template <int D>
 struct LatticeRecords {
   using Number = WidePack;
-  using Own = LatticeCell;
-  using Index = LatticeCell;
+  using Own = LatticePlace;
+  using Index = LatticePlace;
   Transposed<ReferenceRecord<D>> reference;
   Transposed<MotionRecord<D>> motion;
   Transposed<StressRecord<D>> stress;
@@ -53,33 +53,34 @@ struct OneLane {
   double largest(const WidePack& a) const { return a[lane]; }
 };
 
-/// What both sums below do alike: pass.meet(self, pair, j, weight, sums) is the physics of a pair, `weight` being zero
-/// in lanes without a neighbour, and pass.leave(i, sums, lanes) writes.
-template <class Pass, class Kernel, int D, bool corrected, class Records>
+/// Where the particles are, in the reference configuration; on a lattice the pairs know it.
+template <class Records, int D>
+struct OwnReference {
+  Vector<Pack, D> x;
+  Pack h;
+  explicit OwnReference(const Records& records, std::size_t i)
+      : x(own(records.reference, i, &ReferenceRecord<D>::x)),
+        h(own(records.reference, i, &ReferenceRecord<D>::smoothing_length)) {}
+};
+template <int D>
+struct OwnReference<LatticeRecords<D>, D> {
+  explicit OwnReference(const LatticeRecords<D>&, LatticePlace) {}
+};
+
+/// What both sums below do alike: pass.meet(self, pair, j, sums) is the physics of a pair, whose kernel is zero in
+/// lanes without a neighbour, and pass.leave(i, sums, lanes) writes.
+template <class Pass, class Kernel, int D, class Records>
 struct ReferenceSums {
   using Number = typename Records::Number;
   Records records;
-
-  using OwnCorrection = std::conditional_t<corrected, Correction<Number, D>, PlainGradient<Number, D>>;
-  [[gnu::always_inline]] OwnCorrection correction_of(const typename Records::Own& i) const {
-    if constexpr (corrected)
-      return own(records.reference, i, &ReferenceRecord<D>::correction);
-    else
-      return {};
-  }
-  [[gnu::always_inline]] OwnCorrection correction_at(const typename Records::Index& j) const {
-    if constexpr (corrected)
-      return gathered(records.reference, j, &ReferenceRecord<D>::correction);
-    else
-      return {};
-  }
+  const ReferenceRecord<D>* reference;  ///< of particle i, wherever its neighbours are read
 
   template <class Self, class Sums>
   [[gnu::always_inline]] void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
-    const auto x = a.reference - gathered(records.reference, j, &ReferenceRecord<D>::x);
-    const Pack h = Pack(0.5) * (a.h + gathered(records.reference, j, &ReferenceRecord<D>::smoothing_length));
+    const auto x = a.reference.x - gathered(records.reference, j, &ReferenceRecord<D>::x);
+    const Pack h = Pack(0.5) * (a.reference.h + gathered(records.reference, j, &ReferenceRecord<D>::smoothing_length));
     const KernelPair<Kernel, D> pair(x, h);
-    pass().meet(a, {x, h, pair.value, pair.slope}, j, is_other(x), sums);
+    pass().meet(a, {x, h, pair.value * is_other(x), pair.slope}, j, sums);
   }
   template <class Sums>
   [[gnu::always_inline]] void end(std::size_t i, const Sums& sums) const {
@@ -87,10 +88,9 @@ struct ReferenceSums {
   }
 
   template <class Self, class Sums>
-  [[gnu::always_inline]] void add(const Self& a, const ReferencePair<double, D>& pair, const LatticeCell& cell,
+  [[gnu::always_inline]] void add(const Self& a, const ReferencePair<double, D>& pair, LatticePlace place,
                                   Sums& sums) const {
-    pass().meet(a, {broadcast<Number>(pair.x), pair.h, pair.value, broadcast<Number>(pair.slope)}, cell, Number(1.0),
-                sums);
+    pass().meet(a, {broadcast<Number>(pair.x), pair.h, pair.value, broadcast<Number>(pair.slope)}, place, sums);
   }
   template <class Sums>
   [[gnu::always_inline]] void end(std::size_t i, const Sums& sums, std::size_t lane) const {
@@ -101,51 +101,69 @@ struct ReferenceSums {
   const Pass& pass() const { return static_cast<const Pass&>(*this); }
 };
 
-/// Deformation of Young et al. (2021), eq. 2 and 13: F = I + Σ V_b0 (u_b - u_a) ⊗ ∇̃_0W̃ and its rate.
+/// Deformation of Young et al. (2021), eq. 2 and 13: F = I + Σ V_b0 (u_b - u_a) ⊗ ∇̃_0W̃ and its rate. The correction is
+/// the same for all terms of the sum, so that it is applied to the whole.
 template <class Kernel, int D, bool corrected, class Records>
-struct DeformationSums : ReferenceSums<DeformationSums<Kernel, D, corrected, Records>, Kernel, D, corrected, Records> {
+struct DeformationSums : ReferenceSums<DeformationSums<Kernel, D, corrected, Records>, Kernel, D, Records> {
   Tensor<double, D>* deformation;  ///< F
-  Tensor<double, D>* rate;         ///< dF/dt, 1/s
+  Tensor<double, D>* rate;         ///< dF/dt of total-Lagrangian particles, 1/s
 
   using Number = typename Records::Number;
   struct Self {
-    Vector<Number, D> reference, x, v;
-    Number h;
-    typename DeformationSums::OwnCorrection correction;
+    OwnReference<Records, D> reference;
+    Vector<Number, D> x, v;
+  };
+  /// Σ V f ⊗ ∇W and Σ V f W of f = u or v.
+  struct Moments {
+    Tensor<Number, D> slope = Tensor<Number, D>::zero();
+    Vector<Number, D> value = Vector<Number, D>::zero();
   };
   struct Sums {
-    Tensor<Number, D> displacement = Tensor<Number, D>::zero();
-    Tensor<Number, D> rate = Tensor<Number, D>::zero();
+    Moments displacement, rate;
   };
 
   [[gnu::always_inline]] Self begin(const typename Records::Own& i) const {
-    const auto& [reference, motion, stress] = this->records;
-    return {own(reference, i, &ReferenceRecord<D>::x), own(motion, i, &MotionRecord<D>::x),
-            own(motion, i, &MotionRecord<D>::v), own(reference, i, &ReferenceRecord<D>::smoothing_length),
-            this->correction_of(i)};
+    const auto& r = this->records;
+    return {OwnReference<Records, D>(r, i), own(r.motion, i, &MotionRecord<D>::x),
+            own(r.motion, i, &MotionRecord<D>::v)};
   }
 
   [[gnu::always_inline]] void meet(const Self& a, const ReferencePair<Number, D>& pair, typename Records::Index j,
-                                   const Number& weight, Sums& sums) const {
-    const auto& [reference, motion, stress] = this->records;
-    const auto u = gathered(motion, j, &MotionRecord<D>::x) - a.x + pair.x;
-    const auto v = gathered(motion, j, &MotionRecord<D>::v) - a.v;
-    const Number volume = gathered(reference, j, &ReferenceRecord<D>::volume) * weight;
-    const auto gradient = a.correction.gradient(pair.slope, pair.value);
-    for (int r = 0; r < D; ++r)
-      for (int c = 0; c < D; ++c) {
-        sums.displacement(r, c) += volume * u[r] * gradient[c];
-        sums.rate(r, c) += volume * v[r] * gradient[c];
-      }
+                                   Sums& sums) const {
+    const auto& r = this->records;
+    const auto u = gathered(r.motion, j, &MotionRecord<D>::x) - a.x + pair.x;
+    const auto v = gathered(r.motion, j, &MotionRecord<D>::v) - a.v;
+    const Number volume = gathered(r.reference, j, &ReferenceRecord<D>::volume);
+    const auto slope = volume * pair.slope;
+    add_outer(sums.displacement.slope, u, slope);
+    add_outer(sums.rate.slope, v, slope);
+    if constexpr (corrected) {
+      const Number value = volume * pair.value;
+      sums.displacement.value += value * u;
+      sums.rate.value += value * v;
+    }
   }
 
   template <class Lanes>
   [[gnu::always_inline]] void leave(std::size_t i, const Sums& sums, const Lanes& lanes) const {
-    for (int r = 0; r < D; ++r)
-      for (int c = 0; c < D; ++c) {
-        deformation[i](r, c) = (r == c ? 1.0 : 0.0) + lanes.sum(sums.displacement(r, c));
-        rate[i](r, c) = lanes.sum(sums.rate(r, c));
-      }
+    deformation[i] = gradient(i, sums.displacement, lanes);
+    if (this->reference[i].lagrangian != 0.0) rate[i] = gradient(i, sums.rate, lanes);
+    for (int k = 0; k < D; ++k) deformation[i](k, k) += 1.0;
+  }
+
+ private:
+  template <class Lanes>
+  [[gnu::always_inline]] Tensor<double, D> gradient(std::size_t i, const Moments& moments, const Lanes& lanes) const {
+    Tensor<double, D> slope;
+    for (int k = 0; k < D * D; ++k) slope.c[k] = lanes.sum(moments.slope.c[k]);
+    if constexpr (corrected) {
+      const auto& correction = this->reference[i].correction;
+      for (int r = 0; r < D; ++r)
+        for (int c = 0; c < D; ++c) slope(r, c) -= lanes.sum(moments.value[r]) * correction.shift[c];
+      return product_with_transposed(slope, correction.matrix);
+    } else {
+      return slope;
+    }
   }
 };
 
@@ -157,9 +175,8 @@ struct DeformationSums : ReferenceSums<DeformationSums<Kernel, D, corrected, Rec
 /// act on each other here.
 template <class Kernel, class Viscosity, int D, bool corrected, class Records>
 struct LagrangianForces
-    : ReferenceSums<LagrangianForces<Kernel, Viscosity, D, corrected, Records>, Kernel, D, corrected, Records> {
+    : ReferenceSums<LagrangianForces<Kernel, Viscosity, D, corrected, Records>, Kernel, D, Records> {
   Viscosity viscosity;
-  const ReferenceRecord<D>* reference;  ///< of particle i, wherever its neighbours are read
   const StressRecord<D>* stress;
   const double* mass;
   Vector<double, D>* acceleration;
@@ -167,14 +184,17 @@ struct LagrangianForces
   double* viscous_signal;  ///< m/s
 
   using Number = typename Records::Number;
+  using Stress = StressRecord<D>;
   struct Self {
-    Vector<Number, D> reference, x, v;
+    OwnReference<Records, D> reference;
+    Vector<Number, D> x, v;
+    Number density, sound_speed, stretch;
     Tensor<Number, D> cofactor;
-    Number h, density, sound_speed, stretch;
-    typename LagrangianForces::OwnCorrection correction;
+    Vector<Number, D> cofactor_shift;
   };
   struct Sums {
-    Vector<Number, D> gradient = Vector<Number, D>::zero();  ///< Σ V_b0 ∇̃_a0 W̃_ab, by which P_a acts
+    Vector<Number, D> slope = Vector<Number, D>::zero();  ///< Σ V_b0 ∇W_ab, by which P_a acts
+    Number value = 0.0;                                   ///< Σ V_b0 W_ab
     Vector<Number, D> pull = Vector<Number, D>::zero();
     Vector<Number, D> viscous = Vector<Number, D>::zero();
     Number heat = 0.0;
@@ -182,69 +202,67 @@ struct LagrangianForces
   };
 
   [[gnu::always_inline]] Self begin(const typename Records::Own& i) const {
-    using Reference = ReferenceRecord<D>;
-    using Stress = StressRecord<D>;
     const auto& r = this->records;
-    return {own(r.reference, i, &Reference::x),
-            own(r.motion, i, &MotionRecord<D>::x),
-            own(r.motion, i, &MotionRecord<D>::v),
-            own(r.stress, i, &Stress::cofactor),
-            own(r.reference, i, &Reference::smoothing_length),
-            own(r.stress, i, &Stress::density),
-            own(r.stress, i, &Stress::sound_speed),
-            own(r.stress, i, &Stress::least_stretch),
-            this->correction_of(i)};
+    Self a{OwnReference<Records, D>(r, i),         own(r.motion, i, &MotionRecord<D>::x),
+           own(r.motion, i, &MotionRecord<D>::v),  own(r.stress, i, &Stress::density),
+           own(r.stress, i, &Stress::sound_speed), own(r.stress, i, &Stress::least_stretch),
+           own(r.stress, i, &Stress::cofactor),    {}};
+    if constexpr (corrected) a.cofactor_shift = own(r.stress, i, &Stress::cofactor_shift);
+    return a;
   }
 
   [[gnu::always_inline]] void meet(const Self& a, const ReferencePair<Number, D>& pair, typename Records::Index j,
-                                   const Number& weight, Sums& sums) const {
+                                   Sums& sums) const {
     const auto& r = this->records;
+    const Number volume = gathered(r.reference, j, &ReferenceRecord<D>::volume);
     const auto x = a.x - gathered(r.motion, j, &MotionRecord<D>::x);
     const auto v = a.v - gathered(r.motion, j, &MotionRecord<D>::v);
-    const Number volume = gathered(r.reference, j, &ReferenceRecord<D>::volume) * weight;
 
-    const auto here = a.correction.gradient(pair.slope, pair.value);                            // ∇̃_a0 W̃_ab
-    const auto there = this->correction_at(j).gradient(Number(-1.0) * pair.slope, pair.value);  // ∇̃_b0 W̃_ba
-    const auto other_stress = gathered(r.stress, j, &StressRecord<D>::stress);
-    const auto other_cofactor = gathered(r.stress, j, &StressRecord<D>::cofactor);
-    const auto pull = times(other_stress, there);
-    const auto bracket = times(other_cofactor, there) - times(a.cofactor, here);
+    // The gradient of the neighbour's kernel is that of -∇W: both signs are turned here.
+    auto pull = times(gathered(r.stress, j, &Stress::stress), pair.slope);
+    auto bracket = times(gathered(r.stress, j, &Stress::cofactor), pair.slope);
+    bracket += times(a.cofactor, pair.slope);
+    if constexpr (corrected) {
+      pull += pair.value * gathered(r.stress, j, &Stress::stress_shift);
+      bracket += pair.value * (gathered(r.stress, j, &Stress::cofactor_shift) - a.cofactor_shift);
+    }
+    sums.pull += pull;
+    sums.slope += volume * pair.slope;
+    if constexpr (corrected) sums.value += volume * pair.value;
 
-    const Number approach = dot(v, x);
-    const Number density = gathered(r.stress, j, &StressRecord<D>::density);
-    const Number c = Number(0.5) * (a.sound_speed + gathered(r.stress, j, &StressRecord<D>::sound_speed));
+    const Number approach = select(volume * pair.value > Number(0.0), dot(v, x), Number(0.0));
+    const Number density = gathered(r.stress, j, &Stress::density);
+    const Number c = Number(0.5) * (a.sound_speed + gathered(r.stress, j, &Stress::sound_speed));
     // Of the present configuration, as the places are: with h as it was at the start μ would grow as they come nearer.
-    const Number h = pair.h * (Number(0.5) * (a.stretch + gathered(r.stress, j, &StressRecord<D>::least_stretch)));
+    const Number h = pair.h * (Number(0.5) * (a.stretch + gathered(r.stress, j, &Stress::least_stretch)));
     const auto [pi, speed] = viscosity(approach, dot(x, x), h, c, Number(0.5) * (a.density + density));
     // Where the deformation turns the gradients against the line between the particles, Π would drive them, not damp
     // them.
     const Number power = dot(v, bracket);
-    const Number damping = select(power < Number(0.0), volume * density * pi, Number(0.0));
-    for (int k = 0; k < D; ++k) {
-      sums.gradient[k] += volume * here[k];
-      sums.pull[k] += volume * pull[k];
-      sums.viscous[k] += damping * bracket[k];
-    }
+    const Number damping = select(power > Number(0.0), volume * density * pi, Number(0.0));
+    sums.viscous += damping * bracket;
     sums.heat += damping * power;
-    sums.signal = larger(sums.signal, select(pair.value * volume > Number(0.0), speed, Number(0.0)));
+    sums.signal = larger(sums.signal, speed);
   }
 
   template <class Lanes>
   [[gnu::always_inline]] void leave(std::size_t i, const Sums& sums, const Lanes& lanes) const {
-    if (reference[i].lagrangian == 0.0) {
+    const auto& self = this->reference[i];
+    if (self.lagrangian == 0.0) {
       acceleration[i] = Vector<double, D>::zero();
       viscous_power[i] = viscous_signal[i] = 0.0;
       return;
     }
-    const double over_mass = reference[i].volume / mass[i];
-    const double over_jacobian = over_mass * stress[i].density;
-    Vector<double, D> gradient;
-    for (int k = 0; k < D; ++k) gradient[k] = lanes.sum(sums.gradient[k]);
-    const auto push = times(stress[i].stress, gradient);
+    const double over_mass = 1.0 / mass[i];
+    const double over_jacobian = self.volume * over_mass * stress[i].density;
+    Vector<double, D> slope;
+    for (int k = 0; k < D; ++k) slope[k] = lanes.sum(sums.slope[k]);
+    auto push = times(stress[i].stress, slope);
+    if constexpr (corrected) push = push - lanes.sum(sums.value) * stress[i].stress_shift;
     for (int k = 0; k < D; ++k)
-      acceleration[i][k] =
-          over_mass * (push[k] - lanes.sum(sums.pull[k])) + 0.5 * over_jacobian * lanes.sum(sums.viscous[k]);
-    viscous_power[i] = -0.25 * over_jacobian * lanes.sum(sums.heat);
+      acceleration[i][k] = over_mass * (push[k] + self.volume * lanes.sum(sums.pull[k])) -
+                           0.5 * over_jacobian * lanes.sum(sums.viscous[k]);
+    viscous_power[i] = 0.25 * over_jacobian * lanes.sum(sums.heat);
     viscous_signal[i] = lanes.largest(sums.signal);
   }
 };

@@ -13,12 +13,14 @@
 
 namespace tektite {
 
-/// What a pass sees of them. Record: a struct of doubles.
+/// Where the first number of a cell stands, counted from that of the first cell of all.
+using LatticePlace = std::ptrdiff_t;
+
+/// What a pass sees of one kind of records. Record: a struct of doubles.
 template <class Record>
 struct Transposed {
-  const double* numbers;
-  std::size_t pitch;  ///< cells in a row
-  std::size_t kept;   ///< numbers of a record
+  const double* numbers;  ///< the first number of the first cell
+  std::ptrdiff_t pitch;   ///< cells in a row
 };
 
 template <class Record>
@@ -28,37 +30,44 @@ struct NumberOf<Transposed<Record>> {
 
 /// number(record), a reference to one, of the cells from this one on.
 template <class Record, class Number>
-[[gnu::always_inline]] inline WidePack gathered_by(const Transposed<Record>& t, const LatticeCell& cell,
+[[gnu::always_inline]] inline WidePack gathered_by(const Transposed<Record>& t, LatticePlace place,
                                                    const Number& number) {
   static constexpr Record any{};
-  const auto k = static_cast<std::size_t>(&number(any) - reinterpret_cast<const double*>(&any));
-  return WidePack(t.numbers + (cell.row * t.kept + k) * t.pitch + cell.column, std::experimental::element_aligned);
+  const auto k = &number(any) - reinterpret_cast<const double*>(&any);
+  return WidePack(t.numbers + place + k * t.pitch, std::experimental::element_aligned);
 }
 
 /// A member of the particles themselves, each in its lane.
 template <class Record, class Owner, class Member>
-[[gnu::always_inline]] inline auto own(const Transposed<Record>& t, const LatticeCell& cell, Member Owner::*member) {
-  return gathered(t, cell, member);
+[[gnu::always_inline]] inline auto own(const Transposed<Record>& t, LatticePlace place, Member Owner::*member) {
+  return gathered(t, place, member);
 }
 
-/// Owns them.
-template <class Record>
+/// Owns the numbers of all kinds of records of a lattice, so that those of a cell lie near each other.
 class TransposedRecords {
  public:
-  static constexpr std::size_t all = sizeof(Record) / sizeof(double);
-
-  /// Only the first `numbers` of each record are kept and may be read.
+  /// `kept`: numbers of a cell.
   template <int D>
-  explicit TransposedRecords(const Lattice<D>& lattice, std::size_t numbers = all)
-      : pitch_(lattice.pitch()), kept_(numbers), numbers_(numbers * lattice.records().size(), 0.0) {}
+  TransposedRecords(const Lattice<D>& lattice, std::size_t kept)
+      : pitch_(lattice.pitch()), kept_(kept), numbers_(kept * lattice.records().size(), 0.0) {}
 
-  /// Copies the record of every cell that holds one; all others stay zero.
-  template <int D>
-  void fill(const Lattice<D>& lattice, const std::vector<Record>& records) {
+  /// The way in numbers from a cell to that so many rows and columns on.
+  LatticePlace way(std::ptrdiff_t rows, std::ptrdiff_t columns) const {
+    return rows * static_cast<std::ptrdiff_t>(pitch_ * kept_) + columns;
+  }
+  /// The place of a cell, counted row by row.
+  LatticePlace place(std::size_t cell) const {
+    return way(static_cast<std::ptrdiff_t>(cell / pitch_), static_cast<std::ptrdiff_t>(cell % pitch_));
+  }
+
+  /// Copies the first `numbers` numbers of the record of every cell that holds one behind the cell's first `from`
+  /// numbers; all others stay zero.
+  template <int D, class Record>
+  void fill(const Lattice<D>& lattice, const std::vector<Record>& records, std::size_t from, std::size_t numbers) {
     static const Record nobody{};
     for_each(lattice.rows(), [&](std::size_t row) {
       const auto cells = lattice.records().subspan(row * pitch_, pitch_);
-      double* const numbers = numbers_.data() + row * pitch_ * kept_;
+      double* const to = numbers_.data() + (row * kept_ + from) * pitch_;
       for (std::size_t column = 0; column + pack_width <= pitch_; column += pack_width) {
         const double* place[pack_width];
         bool any = false;
@@ -67,19 +76,23 @@ class TransposedRecords {
           any = any || i != lattice.nobody;
           place[lane] = reinterpret_cast<const double*>(i != lattice.nobody ? &records[i] : &nobody);
         }
-        if (any) copy(place, numbers + column);
+        if (any) copy(place, numbers, to + column);
       }
     });
   }
 
-  Transposed<Record> view() const { return {numbers_.data(), pitch_, kept_}; }
+  /// The view of records that stand behind the first `from` numbers of each cell.
+  template <class Record>
+  Transposed<Record> view(std::size_t from) const {
+    return {numbers_.data() + from * pitch_, static_cast<std::ptrdiff_t>(pitch_)};
+  }
   std::size_t memory() const { return numbers_.capacity() * sizeof(double); }
 
  private:
   /// Turns pack_width records.
-  void copy(const double* (&place)[pack_width], double* to) {
+  void copy(const double* (&place)[pack_width], std::size_t numbers, double* to) const {
     std::size_t k = 0;
-    for (; k + pack_width <= kept_; k += pack_width) {
+    for (; k + pack_width <= numbers; k += pack_width) {
       Pack turned[pack_width];
       gather<1>(place, turned);
       for (const auto& number : turned) {
@@ -88,7 +101,7 @@ class TransposedRecords {
       }
       for (auto& next : place) next += pack_width;
     }
-    for (std::size_t m = 0; k < kept_; ++k, ++m, to += pitch_)
+    for (std::size_t m = 0; k < numbers; ++k, ++m, to += pitch_)
       for (std::size_t lane = 0; lane < pack_width; ++lane) to[lane] = place[lane][m];
   }
 

@@ -44,13 +44,14 @@ class LatticeBodies {
   const std::vector<std::uint8_t>& lists() const { return lists_; }
 
   void fill(const std::vector<ReferenceRecord<D>>& records) {
-    for (auto& body : bodies_) body.reference.fill(body.lattice, records);
+    for (auto& body : bodies_) body.rows.fill(body.lattice, records, 0, of_reference);
   }
   void fill(const std::vector<MotionRecord<D>>& records) {
-    for (auto& body : bodies_) body.motion.fill(body.lattice, records);
+    for (auto& body : bodies_) body.rows.fill(body.lattice, records, of_reference, of_motion);
   }
   void fill(const std::vector<StressRecord<D>>& records) {
-    for (auto& body : bodies_) body.stress.fill(body.lattice, records);
+    for (auto& body : bodies_)
+      body.rows.fill(body.lattice, records, of_reference + of_motion, body.kept - of_reference - of_motion);
   }
 
   /// Leaves out where wanted(record) says no.
@@ -63,40 +64,43 @@ class LatticeBodies {
   template <class Make>
   void for_each_pair(const Make& make, std::size_t count) const {
     for (const auto& body : bodies_)
-      for_each_on_lattice<D, ReferencePair<double, D>>(
-          body.lattice, body.pairs,
-          make(LatticeRecords<D>{body.reference.view(), body.motion.view(), body.stress.view()}), count);
+      for_each_on_lattice<D, TransposedRecords, ReferencePair<double, D>>(
+          body.lattice, body.rows, body.pairs,
+          make(LatticeRecords<D>{body.rows.template view<ReferenceRecord<D>>(0),
+                                 body.rows.template view<MotionRecord<D>>(of_reference),
+                                 body.rows.template view<StressRecord<D>>(of_reference + of_motion)}),
+          count);
   }
 
   std::size_t memory() const {
     std::size_t bytes = lists_.capacity();
-    for (const auto& body : bodies_)
-      bytes += body.lattice.memory() + body.reference.memory() + body.motion.memory() + body.stress.memory();
+    for (const auto& body : bodies_) bytes += body.lattice.memory() + body.rows.memory();
     return bytes;
   }
 
  private:
-  /// Of the numbers of a reference record, those that stand before its correction.
-  static constexpr std::size_t before_correction =
-      (sizeof(ReferenceRecord<D>) - sizeof(Correction<double, D>)) / sizeof(double);
+  // What the rows hold of each record, from its first number on: of the reference record the volume alone, since pairs
+  // know the rest; of the stress record all but J, and without correction no shifts.
+  static constexpr std::size_t of_reference = 1;
+  static constexpr std::size_t of_motion = sizeof(MotionRecord<D>) / sizeof(double);
+  static constexpr std::size_t of_corrected_stress = sizeof(StressRecord<D>) / sizeof(double) - 1;
+  static constexpr std::size_t of_stress = of_corrected_stress - 2 * D;
 
   struct Body {
     Lattice<D> lattice;
-    std::vector<ReferencePair<double, D>> pairs;
-    TransposedRecords<ReferenceRecord<D>> reference;
-    TransposedRecords<MotionRecord<D>> motion;
-    TransposedRecords<StressRecord<D>> stress;
+    std::size_t kept;
+    TransposedRecords rows;
+    std::vector<LatticePair<ReferencePair<double, D>>> pairs;
 
     Body(Lattice<D> found, double h, bool corrected)
         : lattice(std::move(found)),
-          reference(lattice, corrected ? reference.all : before_correction),
-          motion(lattice),
-          stress(lattice) {
+          kept(of_reference + of_motion + (corrected ? of_corrected_stress : of_stress)),
+          rows(lattice, kept) {
       for (const auto& neighbour : lattice.neighbours()) {
         const KernelPair<Kernel, D> pair(broadcast(neighbour.x), Pack(h));
         auto slope = Vector<double, D>::zero();
         for (int k = 0; k < D; ++k) slope[k] = pair.slope[k][0];
-        pairs.push_back({neighbour.x, h, pair.value[0], slope});
+        pairs.push_back({{neighbour.x, h, pair.value[0], slope}, rows.way(neighbour.rows, neighbour.columns)});
       }
     }
   };

@@ -110,7 +110,7 @@ class TotalLagrangianScheme final : public Scheme {
   std::size_t memory() const override {
     return neighbours_.memory() + (contact_ ? contact_->memory() : 0) + (eulerian_ ? eulerian_->memory() : 0) +
            reference_.capacity() * sizeof(ReferenceRecord<D>) + motion_.capacity() * sizeof(MotionRecord<D>) +
-           stress_.capacity() * sizeof(StressRecord<D>) + 2 * deformation_.capacity() * sizeof(Tensor<double, D>) +
+           stress_.capacity() * sizeof(StressRecord<D>) + deformation_.capacity() * sizeof(Tensor<double, D>) +
            rings_.memory() + meeting_.memory() + meeting_members_.capacity() * sizeof(std::uint32_t) +
            artificial_.capacity() * sizeof(ArtificialStressRecord);
   }
@@ -133,7 +133,6 @@ class TotalLagrangianScheme final : public Scheme {
     motion_.resize(all);
     stress_.resize(all);
     deformation_.resize(count);
-    rate_.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
       auto& r = reference_[i];
       r.x = particles_.template vectors<D>(Field::reference_position)[i];
@@ -211,11 +210,12 @@ class TotalLagrangianScheme final : public Scheme {
     }
     {
       const auto scope = profile_.time("deformation");
-      sweep([this]<bool corrected, class Records>(const Records& records) {
-        return DeformationSums<Kernel, D, corrected, Records>{{records}, deformation_.data(), rate_.data()};
+      auto* const rate = p.template tensors<D>(Field::velocity_gradient);  // becomes L in `evaluate_stress`
+      sweep([this, rate]<bool corrected, class Records>(const Records& records) {
+        return DeformationSums<Kernel, D, corrected, Records>{{records, reference_.data()}, deformation_.data(), rate};
       });
       if constexpr (rings)
-        rings_.stretch(neighbours_.pairs(), mirror_, reference_, motion_, deformation_, rate_,
+        rings_.stretch(neighbours_.pairs(), mirror_, reference_, motion_, deformation_, rate,
                        p.scalars(Field::across_rate));
     }
     {
@@ -227,9 +227,8 @@ class TotalLagrangianScheme final : public Scheme {
     const auto scope = profile_.time("forces");
     sweep([this, &p]<bool corrected, class Records>(const Records& records) {
       return LagrangianForces<Kernel, MonaghanViscosity, D, corrected, Records>{
-          {records},
+          {records, reference_.data()},
           viscosity_,
-          reference_.data(),
           stress_.data(),
           p.scalars(Field::mass),
           p.template vectors<D>(Field::acceleration),
@@ -294,14 +293,13 @@ class TotalLagrangianScheme final : public Scheme {
   /// Stress in the middle of a step, from the deformation there.
   void evaluate_stress(const Run& run, double half_step) {
     auto& p = particles_;
-    run_through(run.range,
-                Deform<D, rings>{reference_.data(), deformation_.data(), rate_.data(), p.scalars(Field::mass),
-                                 p.scalars(Field::reference_volume), p.scalars(Field::density),
-                                 p.scalars(Field::specific_internal_energy), p.scalars(Field::pressure),
-                                 p.template symmetrics<D>(Field::deviatoric_stress), p.scalars(Field::viscous_power),
-                                 rings_.stretch_of_each(), across_rate(), half_step, stress_.data(),
-                                 p.template tensors<D>(Field::velocity_gradient), p.scalars(Field::half_density),
-                                 p.scalars(Field::half_energy)});
+    run_through(run.range, Deform<D, rings>{reference_.data(), deformation_.data(), p.scalars(Field::mass),
+                                            p.scalars(Field::reference_volume), p.scalars(Field::density),
+                                            p.scalars(Field::specific_internal_energy), p.scalars(Field::pressure),
+                                            p.template symmetrics<D>(Field::deviatoric_stress),
+                                            p.scalars(Field::viscous_power), rings_.stretch_of_each(), across_rate(),
+                                            half_step, stress_.data(), p.template tensors<D>(Field::velocity_gradient),
+                                            p.scalars(Field::half_density), p.scalars(Field::half_energy)});
     run_through(run.range, FindLeastStretch<D>{reference_.data(), stress_.data(), p.scalars(Field::least_stretch)});
     materials_.evaluate_eos(run, Field::half_density, Field::half_energy, Field::half_pressure,
                             Field::half_sound_speed);
@@ -311,6 +309,10 @@ class TotalLagrangianScheme final : public Scheme {
                                              p.scalars(Field::half_pressure), p.scalars(Field::half_density),
                                              p.scalars(Field::half_sound_speed), stress_.data()});
     if constexpr (rings) rings_.turn_stress(p, run.range, reference_, stress_);
+    if (settings_.corrected)
+      run_through(run.range, WeighStress<D, true>{reference_.data(), stress_.data()});
+    else
+      run_through(run.range, WeighStress<D, false>{reference_.data(), stress_.data()});
   }
 
   double* across_rate() { return rings ? particles_.scalars(Field::across_rate) : nullptr; }
@@ -347,7 +349,7 @@ class TotalLagrangianScheme final : public Scheme {
   std::vector<ReferenceRecord<D>> reference_;
   std::vector<MotionRecord<D>> motion_;
   std::vector<StressRecord<D>> stress_;
-  std::vector<Tensor<double, D>> deformation_, rate_;
+  std::vector<Tensor<double, D>> deformation_;
   std::optional<EulerianPart<Kernel, D>> eulerian_;  ///< of the scheme adaptle
   Converter<D> converter_;
   PairList meeting_;  ///< of total-Lagrangian particles, their Eulerian neighbours

@@ -79,13 +79,18 @@ class State {
     test::Random random(D);
     for (std::size_t i = 0; i < count; ++i) {
       const auto& x = particles_.template vectors<D>(Field::reference_position)[i];
-      reference_[i] = {x, i % 23 == 5 ? 0.0 : random.between(0.9, 1.1), ratio * spacing, 1.0,
+      reference_[i] = {i % 23 == 5 ? 0.0 : random.between(0.9, 1.1), x, ratio * spacing, 1.0,
                        Correction<double, D>::none()};
       for (int k = 0; k < D; ++k) {
         motion_[i].x[k] = x[k] + random.between(-0.1, 0.1);
         motion_[i].v[k] = random.between(-1.0, 1.0);
       }
-      stress_[i] = {random.gradient<D>(1.0), random.gradient<D>(1.0), 1.0, random.between(0.9, 1.1), 1.0};
+      auto& s = stress_[i];
+      s = {random.between(0.9, 1.1), 1.0, random.gradient<D>(1.0), random.gradient<D>(1.0), {}, {}, 1.0};
+      for (int k = 0; k < D; ++k) {
+        s.stress_shift[k] = random.between(-0.1, 0.1);
+        s.cofactor_shift[k] = random.between(-0.1, 0.1);
+      }
     }
     MixedCorrection<CubicSpline, D>().find(pairs_, mirror_, reference_, count);
     mirror_.fill(motion_, count);
@@ -117,13 +122,18 @@ class State {
  private:
   template <bool corrected, class Records>
   auto deformation(const Records& records, Outcome<D>& to) const {
-    return DeformationSums<CubicSpline, D, corrected, Records>{{records}, to.deformation.data(), to.rate.data()};
+    return DeformationSums<CubicSpline, D, corrected, Records>{
+        {records, reference_.data()}, to.deformation.data(), to.rate.data()};
   }
   template <bool corrected, class Records>
   auto forces(const Records& records, Outcome<D>& to) const {
-    return LagrangianForces<CubicSpline, MonaghanViscosity, D, corrected, Records>{
-        {records},    MonaghanViscosity{1.0, 2.0}, reference_.data(), stress_.data(),
-        mass_.data(), to.acceleration.data(),      to.power.data(),   to.signal.data()};
+    return LagrangianForces<CubicSpline, MonaghanViscosity, D, corrected, Records>{{records, reference_.data()},
+                                                                                   MonaghanViscosity{1.0, 2.0},
+                                                                                   stress_.data(),
+                                                                                   mass_.data(),
+                                                                                   to.acceleration.data(),
+                                                                                   to.power.data(),
+                                                                                   to.signal.data()};
   }
 
   Particles particles_;
