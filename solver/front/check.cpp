@@ -37,10 +37,12 @@ class TemporaryFolder {
 
 namespace fs = std::filesystem;
 
+fs::path folder_of(const fs::path& file) { return fs::weakly_canonical(fs::absolute(file)).parent_path(); }
+
 /// Throws InputError where the reduced scene cannot be written there.
 void check_target(const fs::path& target, const fs::path& scene) {
   if (fs::exists(target)) throw InputError({{target.string(), 0}, {}, {}, "is there already", "a new name"});
-  if (fs::weakly_canonical(target).parent_path() != fs::weakly_canonical(scene).parent_path())
+  if (folder_of(target) != folder_of(scene))
     throw InputError({{target.string(), 0},
                       {},
                       {},

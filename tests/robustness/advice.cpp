@@ -138,17 +138,17 @@ eos = { model = "mie-grueneisen", bulk_sound_speed = "5328 m/s", hugoniot_slope 
 strength = { model = "perfectly-plastic", shear_modulus = "27.6 GPa", yield_stress = "0.3 GPa" }
 [body.ball]
 material = "aluminium"
-shape = { type = "sphere", centre = ["-4.5 mm", 0, 0], radius = "3 mm" }
+shape = { type = "sphere", centre = ["-4 mm", 0, 0], radius = "3 mm" }
 arrangement = { type = "lattice", convention = "half-off-origin" }
-velocity = ["300 m/s", 0, 0]
+velocity = ["800 m/s", 0, 0]
 [body.plate]
 material = "aluminium"
-shape = { type = "box", lower = [0, "-30 mm", "-30 mm"], upper = ["3 mm", "30 mm", "30 mm"] }
+shape = { type = "box", lower = [0, "-40 mm", "-40 mm"], upper = ["3 mm", "40 mm", "40 mm"] }
 [time]
-end = "3 us"
+end = "4 us"
 [measure.debris_velocity]
 body = "ball"
-[measure.plug_velocity]
+[measure.min_pressure]
 body = "plate"
 [measure.max_plastic_strain]
 body = "plate"

@@ -2,9 +2,11 @@
 // coordinates round differently and neighbours are added up in another order.
 #include <catch2/catch.hpp>
 
+#include "support/frames.hpp"
 #include "support/impact.hpp"
 
 using namespace tektite;
+using namespace tektite::test;
 
 namespace {
 
@@ -13,54 +15,8 @@ constexpr int steps = 100;
 /// 1e-16 in the first step, and below 1e-12 after a hundred; ten times that for other processors.
 constexpr double rounding = 1e-11;
 
-/// Axis k of the new frame is axis[k] of the old one, times sign[k].
-struct Turn {
-  int axis[3];
-  double sign[3];
-};
-
-template <int D>
-Vector<double, D> turned(const Turn& turn, const Vector<double, D>& x) {
-  Vector<double, D> y;
-  for (int k = 0; k < D; ++k) y[k] = turn.sign[k] * x[turn.axis[k]];
-  return y;
-}
-
-template <int D>
-Symmetric<double, D> turned(const Turn& turn, const Symmetric<double, D>& s) {
-  auto t = s;
-  for (int i = 0; i < D; ++i)
-    for (int j = i; j < D; ++j) t(i, j) = turn.sign[i] * turn.sign[j] * s(turn.axis[i], turn.axis[j]);
-  return t;
-}
-
-/// Largest difference of two fields in any component, over `scale`.
-double difference(const std::vector<double>& a, const std::vector<double>& b, double scale) {
-  REQUIRE(a.size() == b.size());
-  double largest = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double d = std::abs(a[i] - b[i]);
-    largest = d > largest || std::isnan(d) ? d : largest;
-  }
-  return largest / scale;
-}
-
-template <int D>
-std::vector<double> turned_vectors(const Turn& turn, std::vector<double> values) {
-  auto* v = reinterpret_cast<Vector<double, D>*>(values.data());
-  for (std::size_t i = 0; i < values.size() / D; ++i) v[i] = turned<D>(turn, v[i]);
-  return values;
-}
-
-template <int D>
-std::vector<double> turned_stress(const Turn& turn, std::vector<double> values) {
-  auto* s = reinterpret_cast<Symmetric<double, D>*>(values.data());
-  for (std::size_t i = 0; i < values.size() / Symmetric<double, D>::size; ++i) s[i] = turned<D>(turn, s[i]);
-  return values;
-}
-
 template <Space space>
-void check_turn(const Turn& turn) {
+void check_turn(const Turn &turn) {
   constexpr int D = dimensions_of(space);
   INFO(name_of(space));
   auto particles = test::impact_particles(space);
@@ -109,11 +65,6 @@ void check_moving_observer() {
   CHECK(difference(test::by_id(p, Field::pressure), test::by_id(q, Field::pressure), 1e10) < rounding);
   CHECK(difference(test::by_id(p, Field::deviatoric_stress), test::by_id(q, Field::deviatoric_stress), 3e8) < rounding);
 }
-
-constexpr Turn mirror_x{{0, 1, 2}, {-1.0, 1.0, 1.0}};
-constexpr Turn quarter_about_z{{1, 0, 2}, {-1.0, 1.0, 1.0}};
-constexpr Turn cyclic{{1, 2, 0}, {1.0, 1.0, 1.0}};
-constexpr Turn quarter_about_x{{0, 2, 1}, {1.0, -1.0, 1.0}};
 
 }  // namespace
 
