@@ -59,7 +59,8 @@ const std::vector<Case> cases{{"hvi_2d", "sav1", {"spacing='0.2 mm'"}},
                               {"noh", "planar", {"spacing=0.0025"}},
                               {"debris_3d", "total_lagrangian", {"spacing='1.5 mm'", "time.end='30 us'"}}};
 
-TEST_CASE("Check: time, memory and disk are as forecast in five cases") {
+/// What is forecast of the five cases against what comes; of the time only where this machine's clock is `trusted`.
+void compare_forecasts(bool trusted) {
   constexpr double time_and_disk = 0.25, memory = 0.10;
   for (const auto& [example, variant, settings] : cases) {
     DYNAMIC_SECTION(example) {
@@ -88,13 +89,16 @@ TEST_CASE("Check: time, memory and disk are as forecast in five cases") {
         CHECK(forecast == Approx(came).epsilon(within));
       };
       compare("steps", steps, number_behind(summary, "\"steps\": "), time_and_disk);
-      compare("seconds", seconds, number_behind(summary, "\"cpu_seconds\": "), time_and_disk);
+      if (trusted) compare("seconds", seconds, number_behind(summary, "\"cpu_seconds\": "), time_and_disk);
       compare("MB of memory", number_behind(told, "memory "), 1e-6 * number_behind(summary, "\"peak_memory_bytes\": "),
               memory);
       compare("MB of disk", number_behind(told, "disk "), 1e-6 * size_of(folder.file("run"), false), time_and_disk);
     }
   }
 }
+
+TEST_CASE("Check: steps, memory and disk are as forecast in five cases") { compare_forecasts(false); }
+TEST_CASE("Check: so is the time, on a machine that has nothing else to do", "[.long]") { compare_forecasts(true); }
 
 /// Discs and balls that strike long plates at their middle.
 const std::string plane_impact = R"(name = "impact"

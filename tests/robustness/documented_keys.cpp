@@ -71,7 +71,6 @@ TEST_CASE("docs/scenes.md names every key and name that the programs offer") {
                                     "time.from=unknown",
                                     "output.unknown=1",
                                     "stop_when.one={type=\"unknown\"}",
-                                    "stop_when.one={type=\"steady\", column=\"unknown\", during=\"1 us\"}",
                                     "measure.one={type=\"unknown\"}",
                                     "measure.max_plastic_strain={body=\"" + body + "\", unknown=1}",
                                     "picture.one={type=\"unknown\"}",

@@ -86,7 +86,14 @@ class State {
         motion_[i].v[k] = random.between(-1.0, 1.0);
       }
       auto& s = stress_[i];
-      s = {random.between(0.9, 1.1), 1.0, random.gradient<D>(1.0), random.gradient<D>(1.0), {}, {}, 1.0};
+      s = {random.between(0.9, 1.1),
+           1.0,
+           random.between(0.5, 1.0),
+           random.gradient<D>(1.0),
+           random.gradient<D>(1.0),
+           {},
+           {},
+           1.0};
       for (int k = 0; k < D; ++k) {
         s.stress_shift[k] = random.between(-0.1, 0.1);
         s.cofactor_shift[k] = random.between(-0.1, 0.1);

@@ -118,7 +118,14 @@ struct RandomState {
     for (std::size_t i = 0; i < reference.size(); ++i) {
       motion[i].x = reference[i].x;
       for (int k = 0; k < D; ++k) motion[i].v[k] = random.between(-1.0, 1.0);
-      stress[i] = {random.between(0.9, 1.1), 1.0, random.gradient<D>(1.0), random.gradient<D>(1.0), {}, {}, 1.0};
+      stress[i] = {random.between(0.9, 1.1),
+                   1.0,
+                   random.between(0.5, 1.0),
+                   random.gradient<D>(1.0),
+                   random.gradient<D>(1.0),
+                   {},
+                   {},
+                   1.0};
       for (int k = 0; k < D; ++k) stress[i].cofactor(k, k) += 1.0;
     }
   }
@@ -150,7 +157,8 @@ Push push_on(std::size_t a, const std::vector<ReferenceRecord<D>>& reference, co
     const auto pull = times(other.stress, there) - times(mine.stress, here);
     const auto bracket = times(other.cofactor, there) - times(mine.cofactor, here);
     const auto x = state.motion[a].x - state.motion[b].x, v = state.motion[a].v - state.motion[b].v;
-    const double pi = viscosity(dot(v, x), dot(x, x), 1.4, 0.5 * (mine.sound_speed + other.sound_speed),
+    const double h = 1.4 * 0.5 * (mine.least_stretch + other.least_stretch);
+    const double pi = viscosity(dot(v, x), dot(x, x), h, 0.5 * (mine.sound_speed + other.sound_speed),
                                 0.5 * (mine.density + other.density))
                           .pi;
     const double power = dot(v, bracket);
