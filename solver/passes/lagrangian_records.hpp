@@ -36,7 +36,7 @@ template <int D>
 struct StressRecord {
   double density;                    ///< ρ
   double sound_speed;                ///< c, bulk
-  double least_stretch;              ///< the smallest principal one of F, at most 1
+  double least_stretch;              ///< by which the viscosity's h has shrunk
   Tensor<double, D> stress;          ///< V_0 P `matrix` with the first Piola-Kirchhoff stress P = J σ F⁻ᵀ, J
   Tensor<double, D> cofactor;        ///< J F⁻ᵀ `matrix`
   Vector<double, D> stress_shift;    ///< `stress` times `shift`; zero without correction

@@ -28,16 +28,19 @@ double least_stretch(const Tensor<double, D>& cofactor, double jacobian) {
   return 1.0 / std::sqrt(std::max(1.0, largest));
 }
 
-/// The same of every particle whose kernel is of the reference configuration, 1 of the others.
+/// The same of every particle whose kernel is of the reference configuration, 1 of the others. The viscosity's h
+/// shrinks with it, but where bodies have Eulerian particles too: these would see another Π than they are seen with.
 template <int D>
 struct FindLeastStretch {
   const ReferenceRecord<D>* reference;
   StressRecord<D>* records;
   double* least;
+  bool shrinks;  ///< the viscosity's h
 
   void operator()(std::size_t i) const {
     auto& r = records[i];
-    r.least_stretch = least[i] = reference[i].lagrangian != 0.0 ? least_stretch(r.cofactor, r.jacobian) : 1.0;
+    least[i] = reference[i].lagrangian != 0.0 ? least_stretch(r.cofactor, r.jacobian) : 1.0;
+    r.least_stretch = shrinks ? least[i] : 1.0;
   }
 };
 

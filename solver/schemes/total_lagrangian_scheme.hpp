@@ -300,7 +300,8 @@ class TotalLagrangianScheme final : public Scheme {
                                             p.scalars(Field::viscous_power), rings_.stretch_of_each(), across_rate(),
                                             half_step, stress_.data(), p.template tensors<D>(Field::velocity_gradient),
                                             p.scalars(Field::half_density), p.scalars(Field::half_energy)});
-    run_through(run.range, FindLeastStretch<D>{reference_.data(), stress_.data(), p.scalars(Field::least_stretch)});
+    run_through(run.range,
+                FindLeastStretch<D>{reference_.data(), stress_.data(), p.scalars(Field::least_stretch), !eulerian_});
     materials_.evaluate_eos(run, Field::half_density, Field::half_energy, Field::half_pressure,
                             Field::half_sound_speed);
     materials_.predict_strength(run, half_step);
