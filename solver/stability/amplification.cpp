@@ -14,27 +14,34 @@ namespace {
 
 using Complex = std::complex<double>;
 
+/// Half the width of a block in which a change that reaches so many particles far does not feel the ends: what a step
+/// makes of a particle depends on its neighbours and, through corrections, on theirs; and all that it depends on lies
+/// as far again at most.
+int needed_for(int reached, int support) { return std::min(2 * reached, reached + 2 * support); }
+
 }  // namespace
 
 Amplification::Amplification(const RunSettings& settings, const LatticeState& state, double share) {
-  // What a step reaches is not known beforehand: the block grows until all of it lies in its inner half, so that the
-  // particles there have not felt the ends.
-  for (int half_width = 8;; half_width = half_width * 3 / 2) {
+  // What a step reaches is not known beforehand: the block grows until it has room for it.
+  int needed = 4;
+  for (int half_width = 0; half_width < needed;) {
+    half_width = needed;
     LatticeBlock block(settings, state, half_width);
     time_step_ = share * block.stable_step();
     wave_speed_ = block.wave_speed();
     dimensions_ = block.dimensions();
     components_ = block.components();
     unknowns_ = components_.size() * static_cast<std::size_t>(block.columns());
-    if (measure(block)) return;
+    needed = measure(block);
   }
 }
 
-bool Amplification::measure(LatticeBlock& block) {
+int Amplification::measure(LatticeBlock& block) {
   offsets_.clear();
   terms_.clear();
   std::map<std::array<int, 2>, std::size_t> known;
   const auto width = components_.size();
+  int reached = 0;
   for (int column = 0; column < block.columns(); ++column)
     for (std::size_t c = 0; c < width; ++c) {
       const auto response = block.response(column, c, time_step_);
@@ -42,15 +49,16 @@ bool Amplification::measure(LatticeBlock& block) {
         if (response[k] == 0.0) continue;
         const auto cell = block.cell(k / width);
         const std::array<int, 2> offset{cell[0] - column, cell[1]};
-        if (2 * std::max(std::abs(offset[0]), std::abs(offset[1])) > block.half_width()) return false;
+        reached = std::max({reached, std::abs(offset[0]), std::abs(offset[1])});
         const auto found = known.try_emplace(offset, offsets_.size());
         if (found.second) offsets_.push_back(offset);
         const int to = ((cell[0] % block.columns()) + block.columns()) % block.columns();
         terms_.push_back({found.first->second, static_cast<std::size_t>(to) * width + k % width,
                           static_cast<std::size_t>(column) * width + c, response[k]});
       }
+      if (const int needed = needed_for(reached, block.support()); needed > block.half_width()) return needed;
     }
-  return true;
+  return 0;
 }
 
 Eigen::MatrixXcd Amplification::matrix(const Wave& wave) const {

@@ -42,8 +42,8 @@ class Amplification {
   int dimensions() const { return dimensions_; }
 
  private:
-  /// False where the block is too small.
-  bool measure(LatticeBlock& block);
+  /// Zero, or the half width of the block that is needed where this one is too small.
+  int measure(LatticeBlock& block);
 
   struct Term {
     std::size_t offset;  ///< in `offsets_`

@@ -32,6 +32,18 @@ int columns_of(const RunSettings& settings, double ratio) {
   return 2 * static_cast<int>(std::ceil(2.0 * support_of(settings.scheme.kernel) * ratio));
 }
 
+int support_in_particles(const RunSettings& settings, const LatticeState& state) {
+  // By the shorter of the deformed axes: what a sheared lattice reaches beyond that makes the block grow.
+  double least = std::numeric_limits<double>::infinity();
+  const std::size_t d = state.deformation.size() == 1 ? 1 : 2;
+  for (std::size_t k = 0; k < d; ++k) {
+    double square = 0.0;
+    for (std::size_t a = 0; a < d; ++a) square += std::pow(state.deformation[a * d + k], 2);
+    least = std::min(least, std::sqrt(square));
+  }
+  return static_cast<int>(std::ceil(support_of(settings.scheme.kernel) * state.ratio / least));
+}
+
 /// A length, speed and density make a unit of every field.
 double scale_of(Field field, double length, double speed, double density) {
   switch (field) {
@@ -85,6 +97,7 @@ std::vector<double> deformation_for(const Material& material, int dimensions, do
 LatticeBlock::LatticeBlock(const RunSettings& settings, const LatticeState& state, int half_width)
     : columns_(columns_of(settings, state.ratio)),
       half_width_(half_width),
+      support_(support_in_particles(settings, state)),
       materials_{{state.material, settings.materials.at(state.material)}},
       particles_(make_particles(settings, state)),
       scheme_(make_scheme({particles_, profile_, materials_, settings.scheme, {}})) {

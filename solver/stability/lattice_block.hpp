@@ -44,6 +44,7 @@ class LatticeBlock {
   /// strip of total-Lagrangian and one of Eulerian particles, each as wide as two supports of the kernel.
   int columns() const { return columns_; }
   int half_width() const { return half_width_; }
+  int support() const { return support_; }  ///< of the kernel, in particles
   int dimensions() const { return particles_.dimensions(); }
   double stable_step() const { return stable_step_; }  ///< of the undeformed lattice, s
   double wave_speed() const { return wave_speed_; }    ///< of the undeformed lattice, m/s
@@ -64,7 +65,7 @@ class LatticeBlock {
   void choose_components();
   std::vector<double> state_after(std::size_t particle, const StateComponent& changed, double change, double dt);
 
-  int columns_, half_width_;
+  int columns_, half_width_, support_;
   std::map<std::string, Material> materials_;
   Particles particles_;
   Profile profile_;
