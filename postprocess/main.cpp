@@ -5,25 +5,29 @@
 #include "postprocess/page/page.hpp"
 #include "postprocess/pipeline.hpp"
 #include "postprocess/study/chart_study.hpp"
+#include "postprocess/study/stability_maps.hpp"
 
 namespace {
 
 int run(int argc, const char* const* argv) {
   namespace po = boost::program_options;
   tektite::PostprocessOptions options;
-  std::string study;
+  std::string study, stability;
   std::vector<std::string> runs;
   tektite::CommandLine line;
   line.usage =
       "tektite-postprocess DIR|FILE.h5 [options]\n       tektite-postprocess --check SCENE.toml [options]\n"
-      "       tektite-postprocess --chart STUDY.toml -o DIR|--check\n       tektite-postprocess --page -o "
+      "       tektite-postprocess --chart STUDY.toml -o DIR|--check\n       tektite-postprocess --stability STUDY.toml "
+      "-o DIR\n       tektite-postprocess --page -o "
       "FILE.html DIR...";
   line.about =
       "Measures a run, writes it for ParaView and draws it; can be run again with other measures and pictures.";
   line.options.add_options()("check", "validate the measures and pictures of a scene file; computes nothing")(
       "chart", po::value(&study)->value_name("STUDY.toml"), "chart the runs that this study has left in the folder")(
-      "page", "write one page about the runs")("output,o", po::value(&options.output)->value_name("PLACE"),
-                                               "folder to write to instead of the run's; the page's file")(
+      "stability", po::value(&stability)->value_name("STUDY.toml"),
+      "draw what this study of stability has left in the folder")("page", "write one page about the runs")(
+      "output,o", po::value(&options.output)->value_name("PLACE"),
+      "folder to write to instead of the run's; the page's file")(
       "scene", po::value(&options.scene)->value_name("SCENE.toml"), "take measures and pictures from this scene file")(
       "variant", po::value(&options.variant)->value_name("V"),
       "variant of that scene file, or of the run, which picks the references")(
@@ -41,6 +45,11 @@ int run(int argc, const char* const* argv) {
     }
     if (options.output.empty()) throw tektite::InputError("--chart needs the folder of the study: -o DIR");
     return tektite::chart_study(study, options.output) ? tektite::exit_done : tektite::exit_failed;
+  }
+  if (!stability.empty()) {
+    if (options.output.empty()) throw tektite::InputError("--stability needs the folder of the study: -o DIR");
+    tektite::draw_stability(stability, options.output);
+    return tektite::exit_done;
   }
   if (runs.empty()) throw tektite::InputError("nothing to do: give the folder of a run; see --help");
   if (values.contains("page")) {

@@ -3,13 +3,16 @@
 #include "core/error.hpp"
 #include "core/program.hpp"
 #include "run/run.hpp"
+#include "stability/analyse.hpp"
 
 int main(int argc, char** argv) {
   using namespace tektite;
   return run_program("tektite-solve", [&] {
     namespace po = boost::program_options;
     CommandLine line;
-    line.usage = "tektite-solve DIR [--resume] [--threads N]\n       tektite-solve --check FILE.h5 [--advice FILE]";
+    line.usage =
+        "tektite-solve DIR [--resume] [--threads N]\n       tektite-solve --check FILE.h5 [--advice FILE]\n"
+        "       tektite-solve --stability STUDY.toml -o DIR";
     line.about =
         "Computes the run whose initial particles are DIR/particles.h5; leaves DIR/snapshots/*.h5, DIR/history.csv,\n"
         "DIR/solve.json and DIR/run.log.";
@@ -18,7 +21,10 @@ int main(int argc, char** argv) {
         "check", po::value<std::string>()->value_name("FILE.h5"),
         "say what a run of these particles would do; compute nothing that is kept")(
         "advice", po::value<std::string>()->value_name("FILE"),
-        "with --check: say what could be saved, and write the settings for it here");
+        "with --check: say what could be saved, and write the settings for it here")(
+        "stability", po::value<std::string>()->value_name("STUDY.toml"),
+        "analyse how waves grow on lattices, as this study says")(
+        "output,o", po::value<std::string>()->value_name("DIR"), "folder of the study");
     line.hidden.add_options()("folder", po::value<std::string>())("lock", po::value<int>()->default_value(-1));
     line.positional.add("folder", 1);
     po::variables_map values;
@@ -30,6 +36,11 @@ int main(int argc, char** argv) {
       CheckOptions checking{values["check"].as<std::string>(), std::nullopt, threads};
       if (values.contains("advice")) checking.advice = values["advice"].as<std::string>();
       check(checking);
+      return int{exit_done};
+    }
+    if (values.contains("stability")) {
+      if (!values.contains("output")) throw InputError("--stability needs the folder of the study: -o DIR");
+      analyse_stability(values["stability"].as<std::string>(), values["output"].as<std::string>(), threads);
       return int{exit_done};
     }
     if (!values.contains("folder")) throw InputError("the folder of the run is missing; see --help");

@@ -51,6 +51,14 @@ std::string word(const Json& file, const std::string& key) {
   return found != file.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
+std::string words(const Json& file, const std::string& key) {
+  std::string joined;
+  if (const auto found = file.find(key); found != file.end() && found->is_array())
+    for (const auto& name : *found)
+      if (name.is_string()) joined += (joined.empty() ? "" : ", ") + name.get<std::string>();
+  return joined;
+}
+
 std::string summary(const Runs& runs) {
   const std::vector<std::pair<std::string, std::function<std::string(const RunData&)>>> rows{
       {"scene", [](const RunData& r) { return r.title; }},
@@ -72,6 +80,7 @@ std::string summary(const Runs& runs) {
        }},
       {"energy drift", [](const RunData& r) { return number(r.measurements, "energy_drift", "1"); }},
       {"momentum drift", [](const RunData& r) { return number(r.measurements, "momentum_drift", "1"); }},
+      {"warnings", [](const RunData& r) { return words(r.measurements, "warnings"); }},
       {"version", [](const RunData& r) { return word(r.measurements, "version"); }}};
   std::string table = "<h2>Runs and their cost</h2>\n<table>\n" + run_heads(runs, "<th></th>");
   for (const auto& [name, value] : rows) {

@@ -14,6 +14,8 @@ int check(const Words& arguments);
 int resume(const Words& arguments);
 /// Runs a study and charts accuracy against cost.
 int chart(const Words& arguments);
+/// Maps which waves grow on lattices.
+int stability(const Words& arguments);
 /// Writes a page about runs.
 int report(const Words& arguments);
 

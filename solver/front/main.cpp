@@ -30,11 +30,12 @@ const auto& commands() {
   static const auto stage = [](Stage which) {
     return [which](const Words& arguments) -> int { become_stage(which, arguments); };
   };
-  static const std::array<Command, 9> table{{
+  static const std::array<Command, 10> table{{
       {"run", "SCENE.toml", "all stages, then ours beside published", run},
       {"check", "SCENE.toml", "validate, explain, estimate", check},
       {"resume", "DIR", "go on from the newest snapshot", resume},
       {"chart", "STUDY.toml", "run a study: accuracy against cost", chart},
+      {"stability", "STUDY.toml", "where schemes fail: which waves grow", stability},
       {"report", "DIR...", "a page about one run, or several side by side", report},
       {"preprocess", "SCENE.toml -o FILE.h5", "fill the bodies with particles", stage(Stage::preprocess)},
       {"solve", "DIR", "compute the impact", stage(Stage::solve)},

@@ -35,7 +35,8 @@ double RunTimer::wall_seconds() const {
 
 double RunTimer::cpu_seconds() const { return processor_seconds() - cpu_; }
 
-RunSummary summarise(const Simulation& simulation, const RunTimer& timer, bool interrupted) {
+RunSummary summarise(const Simulation& simulation, const RunTimer& timer, bool interrupted,
+                     std::set<std::string> warnings) {
   RunSummary summary;
   const auto& particles = simulation.particles();
   summary.scheme = simulation.settings().scheme.type;
@@ -56,10 +57,14 @@ RunSummary summarise(const Simulation& simulation, const RunTimer& timer, bool i
   summary.energy_drift = simulation.energy_drift(ledger);
   summary.momentum_drift = simulation.momentum_drift(ledger);
   summary.interrupted = interrupted;
+  summary.warnings = std::move(warnings);
+  if (std::abs(summary.energy_drift) > notable_drift) summary.warnings.insert("energy-drift");
   return summary;
 }
 
 void write_summary(const RunSummary& s, const std::string& path) {
+  std::string warnings;
+  for (const auto& name : s.warnings) warnings += fmt::format("{}\"{}\"", warnings.empty() ? "" : ", ", name);
   const auto contact = s.contact_time ? fmt::format("  \"contact_time\": {},\n", *s.contact_time) : std::string();
   const auto stopped = s.stopped_by.empty() ? std::string() : fmt::format("  \"stopped_by\": \"{}\",\n", s.stopped_by);
   write_text_beside(
@@ -67,10 +72,10 @@ void write_summary(const RunSummary& s, const std::string& path) {
                         "  \"time\": {},\n{}  \"threads\": {},\n  \"wall_seconds\": {},\n  \"cpu_seconds\": {},\n"
                         "  \"particle_steps_per_second\": {},\n  \"peak_memory_bytes\": {},\n"
                         "  \"bytes_per_particle\": {},\n  \"energy_drift\": {},\n  \"momentum_drift\": {},\n"
-                        "{}  \"interrupted\": {}\n}}\n",
+                        "{}  \"interrupted\": {},\n  \"warnings\": [{}]\n}}\n",
                         version, s.scheme, s.particles, s.steps, s.time, contact, s.threads, s.wall_seconds,
                         s.cpu_seconds, s.particle_steps_per_second, s.peak_memory_bytes, s.bytes_per_particle,
-                        s.energy_drift, s.momentum_drift, stopped, s.interrupted));
+                        s.energy_drift, s.momentum_drift, stopped, s.interrupted, warnings));
 }
 
 void log_summary(const RunSummary& s, const Profile& profile, spdlog::logger& log) {

@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 #include <chrono>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "output/profile.hpp"
@@ -36,10 +37,13 @@ struct RunSummary {
   std::size_t bytes_per_particle = 0;  ///< fields, lists and records
   double energy_drift = 0.0, momentum_drift = 0.0;
   bool interrupted = false;
-  std::string stopped_by;  ///< the condition that ended the run before its time; may be empty
+  std::string stopped_by;          ///< the condition that ended the run before its time; may be empty
+  std::set<std::string> warnings;  ///< names of what was found wrong on the way
 };
 
-RunSummary summarise(const Simulation& simulation, const RunTimer& timer, bool interrupted);
+/// `warnings` as a Watch has told them; that of the drift is added where it matters.
+RunSummary summarise(const Simulation& simulation, const RunTimer& timer, bool interrupted,
+                     std::set<std::string> warnings);
 void write_summary(const RunSummary& summary, const std::string& path);
 void log_summary(const RunSummary& summary, const Profile& profile, spdlog::logger& log);
 

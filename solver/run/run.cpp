@@ -21,6 +21,7 @@
 #include "output/progress.hpp"
 #include "output/summary.hpp"
 #include "run/simulation.hpp"
+#include "run/watch.hpp"
 
 namespace tektite {
 namespace {
@@ -95,12 +96,23 @@ class Run {
       simulation_.step();
       write_history();
       show_progress();
-      if (snapshot_due() || over()) write_snapshot();
+      if (snapshot_due() || over()) {
+        write_snapshot();
+        look();
+      }
     }
     progress_.clear();
     if (!over()) write_snapshot();
     finish();
     return over();
+  }
+
+  /// Keeps the reason why a run failed in the log; a disk that is full keeps nothing.
+  void note(const RunError& fault) {
+    try {
+      log_->error("{}", fault.what());
+    } catch (const RunError&) {
+    }
   }
 
   /// What a failed run says beside its reason.
@@ -152,6 +164,11 @@ class Run {
     log_->info("  t = {:<9} step {:<7} {}", shown_time(simulation_.time()), simulation_.steps(), last_snapshot_);
   }
 
+  void look() {
+    for (const auto& warning : watch_.look(simulation_.particles(), simulation_.settings().materials))
+      log_->warn("warning: {}: {}", warning.name, warning.text);
+  }
+
   void write_history() {
     if (simulation_.steps() % simulation_.settings().history_interval != 0 && !simulation_.finished()) return;
     const auto& last = simulation_.last_step();
@@ -171,7 +188,7 @@ class Run {
   }
 
   void finish() {
-    auto summary = summarise(simulation_, timer_, !over());
+    auto summary = summarise(simulation_, timer_, !over(), watch_.names());
     if (const auto* stop = stops_.met()) summary.stopped_by = fmt::format("{}: {}", stop->name, in_words(*stop));
     write_summary(summary, (folder_ / "solve.json").string());
     if (const auto remark = simulation_.scheme().closing_remark(); !remark.empty()) log_->info("  {}", remark);
@@ -191,6 +208,7 @@ class Run {
   StopConditions stops_;
   History history_;
   Progress progress_;
+  Watch watch_;
   Ledger ledger_;
   std::string last_snapshot_;  ///< that is whole
   std::string stopgap_;        ///< written because a run was interrupted: an unbroken run has none
@@ -234,6 +252,7 @@ bool run(const RunOptions& options) {
   try {
     return run.to_the_end();
   } catch (const RunError& fault) {
+    run.note(fault);
     throw RunError(fmt::format("{}\n  the last good snapshot is {}", fault.what(), run.last_snapshot()));
   }
 }

@@ -54,24 +54,44 @@ double Simulation::end() const {
 
 TimeStep Simulation::choose_step() const {
   auto choice = scheme_->stable_step();
-  if (!(choice.dt > 0.0))
+  if (!(choice.dt > 0.0)) {
+    if (const auto inverted = inverted_particle())
+      throw RunError(
+          fmt::format("negative-jacobian: step {}, t = {}: a particle of the reference configuration is turned inside "
+                      "out, det F = {:g}; conversion of adaptle before that, or an Eulerian kernel, may mend it\n{}",
+                      steps_, shown_time(time_), jacobian_of(*inverted), describe(*inverted)));
     throw RunError(
         fmt::format("step {}, t = {}: the state is no longer sane (a density that is not positive, a sound "
                     "speed that is not real, or a number that is not finite)\n{}",
                     steps_, shown_time(time_), describe(choice.particle)));
+  }
   if (last_.dt > 0.0 && choice.dt > growth * last_.dt) {
     choice.dt = growth * last_.dt;
     choice.reason = StepLimit::growth;
   }
   if (choice.dt < collapse * first_step_)
-    throw RunError(fmt::format("step {}, t = {}: the time step has collapsed to {} ({}), {:g} of the first one\n{}",
-                               steps_, shown_time(time_), shown_time(choice.dt), name_of(choice.reason),
-                               choice.dt / first_step_, describe(choice.particle)));
+    throw RunError(
+        fmt::format("dt-collapse: step {}, t = {}: the time step has collapsed to {} ({}), {:g} of the first one\n{}",
+                    steps_, shown_time(time_), shown_time(choice.dt), name_of(choice.reason), choice.dt / first_step_,
+                    describe(choice.particle)));
   if (time_ + choice.dt >= end()) {
     choice.dt = end() - time_;
     choice.reason = StepLimit::end;
   }
   return choice;
+}
+
+double Simulation::jacobian_of(std::size_t i) const {
+  const auto& p = snapshot_.particles;
+  return p.scalars(Field::mass)[i] / (p.scalars(Field::reference_volume)[i] * p.scalars(Field::density)[i]);
+}
+
+std::optional<std::size_t> Simulation::inverted_particle() const {
+  const auto& p = snapshot_.particles;
+  if (!p.has(Field::reference_volume)) return std::nullopt;
+  for (std::size_t i = 0; i < p.count(); ++i)
+    if (jacobian_of(i) < 0.0) return i;
+  return std::nullopt;
 }
 
 void Simulation::step() {

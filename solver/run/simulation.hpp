@@ -44,6 +44,10 @@ class Simulation {
  private:
   TimeStep choose_step() const;
   void look_for_contact();
+  /// det F of a particle whose density follows from it.
+  double jacobian_of(std::size_t particle) const;
+  /// One whose density has become negative with det F.
+  std::optional<std::size_t> inverted_particle() const;
   std::string describe(std::size_t particle) const;
 
   Snapshot snapshot_;

@@ -16,7 +16,7 @@ set(SEES_physics core/ physics/)
 set(TARGETS_physics tektite_physics)
 set(LINKS_physics tektite_core tektite_options)
 
-set(ENGINE advice boundary neighbours output parallel passes run schemes)
+set(ENGINE advice boundary neighbours output parallel passes run schemes stability)
 list(TRANSFORM ENGINE PREPEND solver/ OUTPUT_VARIABLE FOLDERS_engine)
 list(TRANSFORM ENGINE APPEND / OUTPUT_VARIABLE SEES_engine)
 list(APPEND FOLDERS_engine solver)

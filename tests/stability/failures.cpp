@@ -1,0 +1,89 @@
+// Runs that fail as the linear analysis says, and say so by name.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "run/watch.hpp"
+#include "support/lattice.hpp"
+
+using namespace tektite;
+using namespace tektite::test;
+
+namespace {
+
+constexpr double spacing = 1e-3, density = 2785.0, bulk = 79e9;
+const std::string metal =
+    "[material.metal]\ndensity = 2785.0\neos = { model = 'linear', bulk_modulus = 79e9 }\n"
+    "strength = { model = 'elastic', shear_modulus = 27.6e9 }\n";
+
+/// A square of metal under a mean tension of 5 GPa, its rim clamped, its particles off their places by a thousandth of
+/// the spacing, after as long as a wave needs to run through 220 particles.
+Simulation pulled_square(const std::string& scheme) {
+  constexpr int side = 22, rim = 4;
+  const double rest = density * (1.0 - 5e9 / bulk);
+  auto particles =
+      particles_on(Space::plane_strain, {{"square", "metal", spacing, {0.0, 0.0}, {side, side}, {0.0, 0.0}}}, rest);
+  particles.allocate(Field::clamped);
+  for (std::size_t i = 0; i < particles.count(); ++i) {
+    bool inside = true;
+    for (std::size_t k = 0; k < 2; ++k) {
+      auto& x = particles.reals(Field::position)[2 * i + k];
+      const auto place = std::lround(x / spacing);
+      inside = inside && place >= rim && place < side - rim;
+      const auto number = static_cast<double>((2 * i + k) * 7919 % 101) - 50.0;
+      x += 1e-3 * spacing * number / 50.0;
+    }
+    particles.integers(Field::clamped)[i] = inside ? 0 : 1;
+  }
+  auto simulation = simulation_of("time.end = 35e-6\nscheme.type = '" + scheme + "'\n" + metal, std::move(particles));
+  run_to_the_end(simulation);
+  return simulation;
+}
+
+double farthest_from_places(const Simulation& simulation) {
+  double farthest = 0.0;
+  for (const double x : simulation.particles().reals(Field::position))
+    farthest = std::max(farthest, std::abs(x / spacing - std::round(x / spacing)));
+  return farthest;  // of the spacing; a half and more shows as less
+}
+
+}  // namespace
+
+TEST_CASE("Tensile instability: a pulled square of Eulerian particles clumps, and the run says so") {
+  const auto simulation = pulled_square("eulerian");
+  const auto& particles = simulation.particles();
+  Watch watch;
+  const auto warnings = watch.look(particles, simulation.settings().materials);
+  WARN("clumped: " << clumped_part(particles, particles.bodies()[0], density)
+                   << ", farthest from its place: " << farthest_from_places(simulation));
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].name == "clumping");
+  CHECK(watch.names().contains("clumping"));
+  CHECK(watch.look(particles, simulation.settings().materials).empty());  // told once
+}
+
+TEST_CASE("Tensile instability: with kernels of the reference configuration the pulled square stays as it is") {
+  const auto simulation = pulled_square("total-lagrangian");
+  CHECK(farthest_from_places(simulation) < 0.01);
+  Watch watch;
+  CHECK(watch.look(simulation.particles(), simulation.settings().materials).empty());
+}
+
+TEST_CASE("Watch: a lattice has no clumps, however fine it is pressed") {
+  auto particles =
+      particles_on(Space::plane_strain, {{"square", "metal", spacing, {0.0, 0.0}, {12, 12}, {0.0, 0.0}}}, density);
+  auto simulation = simulation_of("time.end = 1.0\n" + metal, std::move(particles));
+  CHECK(clumped_part(simulation.particles(), simulation.particles().bodies()[0], density) == 0.0);
+  auto pressed = simulation.particles();
+  for (auto& x : pressed.reals(Field::position)) x *= 0.25;
+  CHECK(clumped_part(pressed, pressed.bodies()[0], density) == 1.0);  // the density has not followed
+  for (auto& rho : pressed.reals(Field::density)) rho *= 16.0;
+  CHECK(clumped_part(pressed, pressed.bodies()[0], density) == 0.0);
+}
+
+TEST_CASE("Reference configuration: one that is turned inside out ends the run by that name") {
+  // Both halves run through each other in the first step.
+  auto particles = particles_on(Space::line, {{"bar", "metal", spacing, {0.0}, {40}, {0.0}}}, density);
+  for (std::size_t i = 0; i < particles.count(); ++i) particles.reals(Field::velocity)[i] = i < 20 ? 2e5 : -2e5;
+  auto simulation = simulation_of("time.end = 1.0\nscheme.type = 'total-lagrangian'\n" + metal, std::move(particles));
+  CHECK_THROWS_WITH(take_steps(simulation, 100), Catch::StartsWith("negative-jacobian: "));
+}

@@ -1,0 +1,48 @@
+// The time step in use beside the largest stable one, for every scheme, by the same means: the waves of a lattice.
+#include "stability/largest_step.hpp"
+
+#include <fmt/format.h>
+
+#include <catch2/catch.hpp>
+
+#include "stability/lattice_cases.hpp"
+#include "support/lattice.hpp"
+
+using namespace tektite;
+using namespace tektite::test;
+
+TEST_CASE("Time step: that in use is below the largest stable one for every scheme") {
+  for (const std::string scheme :
+       {"scheme = { type = 'eulerian' }\n", "scheme = { type = 'eulerian', correction = 'mixed' }\n",
+        "scheme = { type = 'total-lagrangian' }\n", "scheme = { type = 'adaptle', conversion = 'none' }\n",
+        "scheme = { type = 'godunov-pm' }\n", "scheme = { type = 'godunov-split', order = 1 }\n",
+        "scheme = { type = 'godunov-split', order = 2 }\n",
+        "scheme = { type = 'msph' }\nsmoothing.kernel = 'truncated-gaussian'\n"}) {
+    const auto settings = lattice_settings("line", scheme);
+    const auto largest = largest_stable_step(settings, stressed(settings, 1.4, 0.0), 8);
+    WARN(fmt::format("{}C = {:g} in use, stable up to {:.2f}; {:.2f} δ/c", scheme, settings.scheme.courant,
+                     settings.scheme.courant * largest.share, largest.in_use * largest.share));
+    CHECK(largest.share > 1.0);
+    CHECK(largest.share < 64.0);  // all of them are explicit
+  }
+}
+
+TEST_CASE("Time step: steps beyond the largest stable one go wild, those below do not") {
+  const auto settings = lattice_settings("line", "scheme = { type = 'total-lagrangian' }\n");
+  const auto largest = largest_stable_step(settings, stressed(settings, 1.4, 0.0), 8);
+  const auto speed_after = [&](double share) {  // m/s, of all wavelengths at 1 mm/s at the start
+    auto particles = particles_on(Space::line, {{"bar", "metal", 1e-3, {0.0}, {40}, {0.0}}}, 2785.0);
+    for (std::size_t i = 0; i < particles.count(); ++i)
+      particles.reals(Field::velocity)[i] = 1e-3 * (static_cast<double>(i * 7919 % 101) - 50.0) / 50.0;
+    Profile profile;
+    const auto scheme = make_scheme({particles, profile, settings.materials, settings.scheme, {}});
+    scheme->start();
+    const double dt = share * scheme->stable_step().dt;
+    for (int k = 0; k < 300; ++k) scheme->step(dt);
+    double fastest = 0.0;
+    for (const double v : particles.reals(Field::velocity)) fastest = std::max(fastest, std::abs(v));
+    return std::isfinite(fastest) ? fastest : std::numeric_limits<double>::infinity();
+  };
+  CHECK(speed_after(0.9 * largest.share) < 2e-3);
+  CHECK(speed_after(1.1 * largest.share) > 1.0);
+}
