@@ -56,18 +56,17 @@ template <std::size_t rows>
 void gather(const double* const (&place)[pack_width], Pack (&out)[rows * pack_width]) {
   typedef double Row __attribute__((vector_size(pack_width * sizeof(double)), aligned(alignof(double)), may_alias));
   typedef double Turned __attribute__((vector_size(pack_width * sizeof(double))));
-  typedef long long Order __attribute__((vector_size(pack_width * sizeof(long long))));
   for (std::size_t row = 0; row < rows; ++row) {
     Turned lane[pack_width];
     for (std::size_t k = 0; k < pack_width; ++k) lane[k] = *reinterpret_cast<const Row*>(place[k] + row * pack_width);
-    const Turned a = __builtin_shuffle(lane[0], lane[1], Order{0, 4, 2, 6});
-    const Turned b = __builtin_shuffle(lane[0], lane[1], Order{1, 5, 3, 7});
-    const Turned c = __builtin_shuffle(lane[2], lane[3], Order{0, 4, 2, 6});
-    const Turned d = __builtin_shuffle(lane[2], lane[3], Order{1, 5, 3, 7});
-    out[row * pack_width + 0] = std::bit_cast<Pack>(__builtin_shuffle(a, c, Order{0, 1, 4, 5}));
-    out[row * pack_width + 1] = std::bit_cast<Pack>(__builtin_shuffle(b, d, Order{0, 1, 4, 5}));
-    out[row * pack_width + 2] = std::bit_cast<Pack>(__builtin_shuffle(a, c, Order{2, 3, 6, 7}));
-    out[row * pack_width + 3] = std::bit_cast<Pack>(__builtin_shuffle(b, d, Order{2, 3, 6, 7}));
+    const Turned a = __builtin_shufflevector(lane[0], lane[1], 0, 4, 2, 6);
+    const Turned b = __builtin_shufflevector(lane[0], lane[1], 1, 5, 3, 7);
+    const Turned c = __builtin_shufflevector(lane[2], lane[3], 0, 4, 2, 6);
+    const Turned d = __builtin_shufflevector(lane[2], lane[3], 1, 5, 3, 7);
+    out[row * pack_width + 0] = std::bit_cast<Pack>(__builtin_shufflevector(a, c, 0, 1, 4, 5));
+    out[row * pack_width + 1] = std::bit_cast<Pack>(__builtin_shufflevector(b, d, 0, 1, 4, 5));
+    out[row * pack_width + 2] = std::bit_cast<Pack>(__builtin_shufflevector(a, c, 2, 3, 6, 7));
+    out[row * pack_width + 3] = std::bit_cast<Pack>(__builtin_shufflevector(b, d, 2, 3, 6, 7));
   }
 }
 

@@ -57,6 +57,45 @@ TEST_CASE("Front: an unknown command is answered with the known ones") {
   CHECK(place.tektite({}).code == 2);
 }
 
+TEST_CASE("Front: what a command line lacks, and what is too much in it, is told") {
+  const Workplace place;
+  struct Wrong {
+    std::vector<std::string> words;
+    std::string says;
+  };
+  const std::vector<Wrong> table{
+      {{}, "no command is given"},
+      {{"run"}, "SCENE.toml is missing"},
+      {{"run", "scene.toml", "--threads", "many"}, "see --help"},
+      {{"chart", "study.toml", "--threads", "0"}, "--threads must be at least 1"},
+      {{"chart", "study.toml", "--jobs", "0"}, "--jobs must be at least 1"},
+      {{"preprocess"}, "no scene is given"},
+      {{"preprocess", "scene.toml"}, "either -o FILE.h5 or --check"},
+      {{"preprocess", "scene.toml", "--check", "--threads", "0"}, "--threads must be at least 1"},
+      {{"preprocess", "scene.toml", "--check", "--most-particles", "0"}, "--most-particles must be at least 1"},
+      {{"solve"}, "the folder of the run is missing"},
+      {{"solve", ".", "--threads", "5000"}, "--threads must be a number from 0 to 4096"},
+      {{"postprocess"}, "nothing to do"},
+      {{"postprocess", "--chart", "study.toml"}, "--chart needs the folder"},
+      {{"postprocess", "--page", "one"}, "--page needs the file"},
+      {{"postprocess", "one", "two"}, "one folder at a time"},
+  };
+  for (const auto& wrong : table) {
+    const auto outcome = place.tektite(wrong.words);
+    INFO(wrong.says << ": " << outcome.faults);
+    CHECK(outcome.code == 2);
+    CHECK_THAT(outcome.faults, Contains(wrong.says));
+  }
+}
+
+TEST_CASE("Front: a stage that was not built is told") {
+  const Workplace place;
+  fs::copy(TEKTITE_PROGRAM, place.folder.file("alone"));
+  const auto outcome = run_in(place.folder.path(), {place.folder.file("alone"), "solve", "."});
+  CHECK(outcome.code == 1);
+  CHECK_THAT(outcome.faults, Contains("tektite-solve: this program is not there"));
+}
+
 TEST_CASE("Front: a run leaves its state, numbers and the table of ours beside published") {
   const Workplace place;
   const auto outcome = place.tektite({"run", "scene.toml", "--variant", "fast", "--threads", "1"});
