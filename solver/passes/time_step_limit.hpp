@@ -32,7 +32,7 @@ constexpr const char* name_of(StepLimit limit) {
 /// The stable time step of a particle and what sets it (Monaghan 1992):
 ///   C h / (c_l + 0.6 (α c + β |μ|max))   and   C √(h/|a|)
 /// Where gradients are of the reference configuration and particles have come nearer by the stretch λ, C is at most
-/// 0.75 λ: waves there pass h λ, and a lattice at its start stands more than twice that, with the viscosity's α of 1.
+/// 0.75 λ: waves there pass h λ, and a lattice at its start stands one and a half times that (docs/stability.md).
 template <int D>
 struct TimeStepLimit {
   struct Least {
