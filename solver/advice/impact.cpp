@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/body_mean.hpp"
 #include "physics/eos/shock_slope.hpp"
 
 namespace tektite {
@@ -59,9 +60,9 @@ std::vector<std::string> doubts(const Body& body, const Material& material, cons
 
 /// How fast two bodies come nearer, and what is between them; a speed of zero where they do not.
 Meeting approach(const Particles& particles, const Body& a, const Body& b) {
-  const auto va = mean_velocity(particles, a), vb = mean_velocity(particles, b);
+  const auto va = mean_over(particles, a, Field::velocity), vb = mean_over(particles, b, Field::velocity);
   const auto position = particles.reals(Field::position);
-  const auto width = va.size();
+  const auto width = static_cast<std::size_t>(particles.dimensions());
   double along = 0.0, square = 0.0, apart = 0.0;
   for (std::size_t k = 0; k < width; ++k) {
     double low[2], high[2];
@@ -86,19 +87,6 @@ Meeting approach(const Particles& particles, const Body& a, const Body& b) {
 
 double wave_speed_at_rest(const Material& material) {
   return std::sqrt((bulk_modulus_of(material) + 4.0 / 3.0 * shear_modulus_of(material)) / material.density);
-}
-
-std::vector<double> mean_velocity(const Particles& particles, const Body& body) {
-  const auto width = static_cast<std::size_t>(particles.dimensions());
-  const auto velocity = particles.reals(Field::velocity), mass = particles.reals(Field::mass);
-  std::vector<double> mean(width, 0.0);
-  double whole = 0.0;
-  for (std::size_t i = body.range.begin; i < body.range.end; ++i) {
-    for (std::size_t k = 0; k < width; ++k) mean[k] += mass[i] * velocity[i * width + k];
-    whole += mass[i];
-  }
-  for (auto& component : mean) component /= whole;
-  return mean;
 }
 
 std::vector<Meeting> meetings(const Particles& particles, const std::map<std::string, Material>& materials) {

@@ -15,9 +15,6 @@ namespace tektite {
 /// Speed of the longitudinal wave in a material at rest, m/s.
 double wave_speed_at_rest(const Material& material);
 
-/// One body's mean velocity over its mass, m/s, with as many components as the space has.
-std::vector<double> mean_velocity(const Particles& particles, const Body& body);
-
 /// Two bodies that come nearer.
 struct Meeting {
   const Body* first = nullptr;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/body_mean.hpp"
+
 namespace tektite {
 namespace {
 
@@ -95,11 +97,11 @@ std::vector<Trim> unreached(const Particles& particles, const RunSettings& setti
   const double speed = fastest(particles, settings, meetings);
   for (const auto& body : particles.bodies()) {
     if (!starts_quiet(particles, body)) continue;
-    const auto velocity = mean_velocity(particles, body);
+    const auto velocity = mean_over(particles, body, Field::velocity);
     auto source = nothing(width);
     double gap = 0.0;
     for (const auto& other : particles.bodies()) {
-      if (starts_quiet(particles, other) && mean_velocity(particles, other) == velocity) continue;
+      if (starts_quiet(particles, other) && mean_over(particles, other, Field::velocity) == velocity) continue;
       const auto extent = extent_of(particles, other);
       widen(source, extent.lower.data());
       widen(source, extent.upper.data());

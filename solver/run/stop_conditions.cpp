@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/body_mean.hpp"
 #include "core/plain_name.hpp"
 
 namespace tektite {
@@ -28,26 +29,12 @@ const Body& body_named(const Particles& particles, const std::string& name) {
   return *std::ranges::find(particles.bodies(), name, &Body::name);
 }
 
-/// Mean of a vector field over a body by mass.
-Place mean(const Particles& particles, const Body& body, Field field) {
-  const auto width = static_cast<std::size_t>(particles.dimensions());
-  const auto values = particles.reals(field), mass = particles.reals(Field::mass);
-  Place sum{};
-  double whole = 0.0;
-  for (std::size_t i = body.range.begin; i < body.range.end; ++i) {
-    for (std::size_t k = 0; k < width; ++k) sum[k] += mass[i] * values[i * width + k];
-    whole += mass[i];
-  }
-  for (auto& component : sum) component /= whole;
-  return sum;
-}
-
 double dot(const Place& a, const Place& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /// Of the projectile against the body.
 Place relative_mean(const StopCondition& condition, const Particles& particles, Field field) {
-  auto difference = mean(particles, body_named(particles, condition.projectile), field);
-  const auto of_body = mean(particles, body_named(particles, condition.body), field);
+  auto difference = mean_over(particles, body_named(particles, condition.projectile), field);
+  const auto of_body = mean_over(particles, body_named(particles, condition.body), field);
   for (std::size_t k = 0; k < 3; ++k) difference[k] -= of_body[k];
   return difference;
 }
@@ -61,7 +48,7 @@ struct Extent {
 Extent extent_along(const Particles& particles, const Body& body, const Place& direction) {
   const auto width = static_cast<std::size_t>(particles.dimensions());
   const auto position = particles.reals(Field::position);
-  const double centre = dot(mean(particles, body, Field::position), direction);
+  const double centre = dot(mean_over(particles, body, Field::position), direction);
   Extent extent;
   for (std::size_t i = body.range.begin; i < body.range.end; ++i) {
     double place = -centre;

@@ -8,13 +8,13 @@
 #include "boundary/mirror.hpp"
 #include "boundary/stop_at_anvil.hpp"
 #include "neighbours/order.hpp"
-#include "passes/interface_stress.hpp"
 #include "passes/lagrangian_motion.hpp"
 #include "passes/lagrangian_sums.hpp"
 #include "passes/least_stretch.hpp"
 #include "schemes/converter.hpp"
 #include "schemes/eulerian_part.hpp"
 #include "schemes/hold_still.hpp"
+#include "schemes/interface_forces.hpp"
 #include "schemes/lagrangian_rings.hpp"
 #include "schemes/make_scheme_in.hpp"
 #include "schemes/material_passes.hpp"
@@ -45,7 +45,8 @@ class TotalLagrangianScheme final : public Scheme {
         materials_(setup.particles, setup.materials),
         mirror_(setup.symmetry),
         anvil_(setup.settings.anvil),
-        converter_(setup.settings.conversion) {
+        converter_(setup.settings.conversion),
+        interface_(setup.settings) {
     if (settings_.contact) contact_.emplace(particles_, setup.materials, support(), setup.symmetry, *settings_.contact);
     if (settings_.type == "adaptle") eulerian_.emplace(particles_, support(), setup.symmetry, settings_);
   }
@@ -111,8 +112,7 @@ class TotalLagrangianScheme final : public Scheme {
     return neighbours_.memory() + (contact_ ? contact_->memory() : 0) + (eulerian_ ? eulerian_->memory() : 0) +
            reference_.capacity() * sizeof(ReferenceRecord<D>) + motion_.capacity() * sizeof(MotionRecord<D>) +
            stress_.capacity() * sizeof(StressRecord<D>) + deformation_.capacity() * sizeof(Tensor<double, D>) +
-           rings_.memory() + meeting_.memory() + meeting_members_.capacity() * sizeof(std::uint32_t) +
-           artificial_.capacity() * sizeof(ArtificialStressRecord);
+           rings_.memory() + interface_.memory();
   }
 
  private:
@@ -161,18 +161,10 @@ class TotalLagrangianScheme final : public Scheme {
     mirror_.fill(reference_, particles_.count());
   }
 
-  /// Drops the reference neighbours of Eulerian particles that have no total-Lagrangian one among them any more, and
-  /// lists the pairs in which both kinds meet, where artificial stress acts between them.
+  /// Drops the reference neighbours of Eulerian particles that have no total-Lagrangian one among them any more.
   void drop_pairs() {
-    const auto lagrangian = [this](std::size_t i) { return reference_[i].lagrangian != 0.0; };
-    neighbours_.keep(lagrangian);
-    const auto& artificial = settings_.artificial_stress;
-    if (!artificial || artificial->interface != ArtificialStressInterface::both) return;
-    const auto count = particles_.count();
-    meeting_ = neighbours_.pairs();
-    meeting_.keep_pairs([&](std::size_t i, std::size_t j) { return lagrangian(i) && !lagrangian(j); });
-    meeting_.drop_empty_runs();
-    meeting_members_ = meeting_.members(count, [&](std::uint32_t j) { return mirror_.source_of(j, count); });
+    neighbours_.keep([this](std::size_t i) { return reference_[i].lagrangian != 0.0; });
+    if constexpr (D == 2) interface_.list(neighbours_.pairs(), mirror_, reference_, particles_.count());
   }
 
   /// Runs the pass that make.operator()<corrected>(records) gives over all pairs of the reference configuration.
@@ -239,38 +231,12 @@ class TotalLagrangianScheme final : public Scheme {
       rings_.add_forces(neighbours_.pairs(), mirror_, reference_, p.scalars(Field::mass),
                         p.template vectors<D>(Field::acceleration));
     if (eulerian_) {
-      add_interface_stress();
+      if constexpr (D == 2) interface_.add(p, mirror_, reference_, motion_, stress_);
       eulerian_->evaluate(motion_);
     }
     if (contact_)
       contact_->add_forces([this](std::size_t i) { return motion_[i].x; }, p.template vectors<D>(Field::acceleration));
     hold_still(p, mirror_, p.template vectors<D>(Field::acceleration));
-  }
-
-  /// Artificial stress of Eulerian particles on total-Lagrangian ones, where the scene asks for it.
-  void add_interface_stress() {
-    if constexpr (D == 2) {
-      const auto& settings = settings_.artificial_stress;
-      if (meeting_members_.empty()) return;
-      auto& p = particles_;
-      artificial_.resize(p.count() + mirror_.images());
-      for (const auto& body : p.bodies()) {
-        const auto members = members_in(body.range, meeting_members_);
-        for_each(members.size(), [&](std::size_t n) {
-          const std::size_t i = members[n];
-          const auto& deviator = p.template symmetrics<D>(Field::half_deviatoric_stress)[i];
-          const double pressure = p.scalars(Field::half_pressure)[i];
-          const double stress[3] = {deviator(0, 0) - pressure, deviator(1, 1) - pressure, deviator(0, 1)};
-          settings->tensor(stress, p.scalars(Field::half_density)[i], artificial_[i].r);
-          artificial_[i].spacing = body.spacing;
-        });
-      }
-      mirror_.fill(artificial_, p.count());
-      for_each_pair(meeting_, InterfaceStress<Kernel>{reference_.data(), motion_.data(), stress_.data(),
-                                                      artificial_.data(), *settings, p.scalars(Field::mass),
-                                                      p.template vectors<D>(Field::acceleration),
-                                                      p.scalars(Field::viscous_power)});
-    }
   }
 
   /// A failed particle leaves the sums: nobody has it for a neighbour any more (the TLAG run of Young et al. 2021).
@@ -353,9 +319,7 @@ class TotalLagrangianScheme final : public Scheme {
   std::vector<Tensor<double, D>> deformation_;
   std::optional<EulerianPart<Kernel, D>> eulerian_;  ///< of the scheme adaptle
   Converter<D> converter_;
-  PairList meeting_;  ///< of total-Lagrangian particles, their Eulerian neighbours
-  std::vector<std::uint32_t> meeting_members_;
-  std::vector<ArtificialStressRecord> artificial_;
+  InterfaceForces<Kernel> interface_;  ///< of the scheme adaptle, in the plane
 };
 
 /// One space for all kernels; each space is instantiated in a translation unit of its own.

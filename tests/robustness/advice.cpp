@@ -100,15 +100,17 @@ void compare_forecasts(bool trusted) {
 TEST_CASE("Check: steps, memory and disk are as forecast in five cases") { compare_forecasts(false); }
 TEST_CASE("Check: so is the time, on a machine that has nothing else to do", "[.long]") { compare_forecasts(true); }
 
+const std::string aluminium = R"([material.aluminium]
+density = "2785 kg/m3"
+eos = { model = "mie-grueneisen", bulk_sound_speed = "5328 m/s", hugoniot_slope = 1.338, grueneisen = 2.0 }
+strength = { model = "perfectly-plastic", shear_modulus = "27.6 GPa", yield_stress = "0.3 GPa" }
+)";
+
 /// Discs and balls that strike long plates at their middle.
 const std::string plane_impact = R"(name = "impact"
 space = "plane-strain"
 spacing = "0.25 mm"
-[material.aluminium]
-density = "2785 kg/m3"
-eos = { model = "mie-grueneisen", bulk_sound_speed = "5328 m/s", hugoniot_slope = 1.338, grueneisen = 2.0 }
-strength = { model = "perfectly-plastic", shear_modulus = "27.6 GPa", yield_stress = "0.3 GPa" }
-[body.disc]
+)" + aluminium + R"([body.disc]
 material = "aluminium"
 shape = { type = "disc", centre = ["-3.5 mm", 0], radius = "2.5 mm" }
 arrangement = { type = "lattice", convention = "half-off-origin" }
@@ -136,11 +138,7 @@ space = "solid"
 spacing = "1 mm"
 contact = { model = "kernel-penalty", exponent = 4 }
 scheme.type = "total-lagrangian"
-[material.aluminium]
-density = "2785 kg/m3"
-eos = { model = "mie-grueneisen", bulk_sound_speed = "5328 m/s", hugoniot_slope = 1.338, grueneisen = 2.0 }
-strength = { model = "perfectly-plastic", shear_modulus = "27.6 GPa", yield_stress = "0.3 GPa" }
-[body.ball]
+)" + aluminium + R"([body.ball]
 material = "aluminium"
 shape = { type = "sphere", centre = ["-4 mm", 0, 0], radius = "3 mm" }
 arrangement = { type = "lattice", convention = "half-off-origin" }
