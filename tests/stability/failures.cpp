@@ -89,12 +89,12 @@ TEST_CASE("Reference configuration: one that is turned inside out ends the run b
   CHECK_THROWS_WITH(take_steps(simulation, 100), Catch::StartsWith("negative-jacobian: "));
 }
 
-TEST_CASE("Time step: one that falls without end ends the run by that name") {
-  // Bars meet at a contact so stiff that the first touch stores more than a step can take back.
+TEST_CASE("Time step: one that collapses ends the run by that name") {
+  // Bars meet so fast that a step takes them half a support into each other, where a contact of absurd stiffness acts.
   auto simulation = simulation_of(
-      "time.end = 1.0\nscheme.type = 'total-lagrangian'\ncontact.factor = 1e30\n" + metal,
+      "time.end = 1.0\nscheme.type = 'total-lagrangian'\ncontact.factor = 1e20\n" + metal,
       particles_on(Space::line,
-                   {{"left", "metal", spacing, {0.0}, {20}, {100.0}}, {"right", "metal", spacing, {23e-3}, {20}, {0.0}}},
+                   {{"left", "metal", spacing, {0.0}, {20}, {16e3}}, {"right", "metal", spacing, {23e-3}, {20}, {0.0}}},
                    density));
-  CHECK_THROWS_WITH(take_steps(simulation, 10000), Catch::StartsWith("dt-collapse: "));
+  CHECK_THROWS_WITH(take_steps(simulation, 1000), Catch::StartsWith("dt-collapse: "));
 }
