@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "run/bond_mismatch.hpp"
+#include "run/hourglass_share.hpp"
 #include "run/too_near.hpp"
 
 namespace tektite {
@@ -35,14 +35,14 @@ std::vector<Warning> Watch::look(const Particles& particles, const std::map<std:
                       "too small; a larger contact.factor, contact.itself for pieces of one body, or a larger "
                       "viscosity.beta may mend it",
                       100.0 * part, body.name));
-    if (const double part = bond_mismatch(particles, body); part > mismatch_share)
-      tell("hourglass", body.name,
-           fmt::format(
-               "{:.0f} % of what neighbours in {} have moved against each other is no linear motion about any of "
-               "them, so that kernels of the reference configuration do not see it: zero-energy modes, or slip "
-               "within a kernel; scheme.hourglass_control against the one, the scheme adaptle against the "
-               "other, may mend it",
-               100.0 * part, body.name));
+    if (const double part = hourglass_share(particles, body, materials.at(body.material)); part > notable_hourglass)
+      tell(
+          "hourglass", body.name,
+          fmt::format("neighbours in {} have moved against each other as kernels of the reference configuration do not "
+                      "see it: as a strain it would hold {:.0f} % of all energy that the body has stored and "
+                      "dissipated; scheme.hourglass_control against zero-energy modes, the scheme adaptle against slip "
+                      "may mend it",
+                      body.name, 100.0 * part));
   }
   return found;
 }

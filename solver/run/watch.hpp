@@ -16,9 +16,8 @@ namespace tektite {
 /// Of a body's particles: fewer that are too near are told from a few that are pressed together where bodies meet.
 inline constexpr double too_near_share = 0.01;
 
-/// Of the motion of neighbours against each other: what more than this is, kernels of the reference configuration do
-/// not see. Healthy runs of the examples stay below half of it (docs/stability.md).
-inline constexpr double mismatch_share = 0.2;
+/// Of a body's energy (hourglass_share.hpp).
+inline constexpr double notable_hourglass = 0.2;
 
 class Watch {
  public:
