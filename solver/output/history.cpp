@@ -55,16 +55,16 @@ void History::write(const Row& row) {
 }
 
 std::vector<std::string> number_columns(int dimensions, const std::vector<std::string>& probe_columns) {
-  std::vector<std::string> names{"kinetic_energy", "internal_energy", "plastic_work",
-                                 "viscous_work",   "contact_energy",  "total_energy"};
+  std::vector<std::string> names{"kinetic_energy", "internal_energy",  "plastic_work", "viscous_work",
+                                 "contact_energy", "hourglass_energy", "total_energy"};
   for (int k = 0; k < dimensions; ++k) names.push_back(fmt::format("momentum_{}", "xyz"[k]));
   names.insert(names.end(), probe_columns.begin(), probe_columns.end());
   return names;
 }
 
 std::vector<double> numbers_of(const Ledger& ledger, const std::vector<double>& probes) {
-  std::vector<double> numbers{ledger.kinetic, ledger.internal, ledger.plastic,
-                              ledger.viscous, ledger.contact,  ledger.total()};
+  std::vector<double> numbers{ledger.kinetic, ledger.internal,  ledger.plastic, ledger.viscous,
+                              ledger.contact, ledger.hourglass, ledger.total()};
   numbers.insert(numbers.end(), ledger.momentum.begin(), ledger.momentum.end());
   numbers.insert(numbers.end(), probes.begin(), probes.end());
   return numbers;

@@ -51,4 +51,13 @@ struct StressRecord {
   }
 };
 
+/// What the control of zero-energy modes needs (passes/hourglass_sums.hpp).
+template <int D>
+struct HourglassRecord {
+  double stiffness;            ///< k, Pa
+  Tensor<double, D> gradient;  ///< k G, Pa
+
+  void mirror(int axis, double) { mirror_tensor(gradient, axis); }
+};
+
 }  // namespace tektite

@@ -28,6 +28,7 @@ struct ListedRecords {
   const ReferenceRecord<D>* reference;
   const MotionRecord<D>* motion;
   const StressRecord<D>* stress;
+  const HourglassRecord<D>* hourglass = nullptr;
 };
 
 /// ... and those of a lattice.
@@ -39,6 +40,7 @@ struct LatticeRecords {
   Transposed<ReferenceRecord<D>> reference;
   Transposed<MotionRecord<D>> motion;
   Transposed<StressRecord<D>> stress;
+  Transposed<HourglassRecord<D>> hourglass;  ///< null where there is no control of zero-energy modes
 };
 
 /// How the sums of a pass leave it: over the lanes, where these are neighbours of one particle ...

@@ -95,6 +95,10 @@ class EulerianScheme final : public Scheme {
 
   std::string remark() const override { return remark_on_correction(corrected_ ? corrected_->without() : 0); }
 
+  std::vector<Warning> warnings() const override {
+    return few_neighbours(corrected_ ? corrected_->without() : 0, particles_.count());
+  }
+
   std::size_t memory() const override {
     return neighbourhood_.memory() + (contact_ ? contact_->memory() : 0) +
            records_.capacity() * sizeof(EulerianRecord<D>) + (corrected_ ? corrected_->memory() : 0) + rings_.memory();

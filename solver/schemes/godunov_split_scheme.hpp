@@ -50,6 +50,7 @@ class GodunovSplitScheme final : public GodunovScheme<space, Kernel, Hydrodynami
   }
 
   std::string remark() const override { return remark_on_correction(without_); }
+  std::vector<Warning> warnings() const override { return few_neighbours(without_, this->particles_.count()); }
 
   std::size_t memory() const override {
     return Base::memory() + deviatoric_.capacity() * sizeof(DeviatoricRecord<D>) +

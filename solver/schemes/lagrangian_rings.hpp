@@ -64,6 +64,7 @@ class LagrangianRings {
   }
 
   const double* stretch_of_each() const { return stretch_.data(); }
+  const double* circumference_of_each() const { return circumference_.data(); }  ///< in the reference configuration, m
 
   std::size_t memory() const {
     return motion_records_.capacity() * sizeof(RingRecord<2>) + force_records_.capacity() * sizeof(RingRecord<1>) +

@@ -12,14 +12,19 @@
 
 namespace tektite {
 
+/// What the passes read beside the records that all read.
+struct LagrangianReads {
+  bool corrected;  ///< corrections
+  bool hourglass;  ///< the records of the control of zero-energy modes
+};
+
 template <class Kernel, int D>
 class LatticeBodies {
  public:
   /// Takes the bodies that lie on a lattice and have one smoothing length. `places` and `body_of` are those of all
-  /// records in the reference configuration, images behind the particles; `corrected` says whether passes read
-  /// corrections.
+  /// records in the reference configuration, images behind the particles; `read` says what passes read.
   void find(const Particles& particles, std::span<const Vector<double, D>> places,
-            std::span<const std::uint32_t> body_of, double support, bool corrected) {
+            std::span<const std::uint32_t> body_of, double support, LagrangianReads read) {
     bodies_.clear();
     lists_.assign(particles.count(), 1);
     std::vector<std::vector<std::uint32_t>> members(particles.bodies().size());
@@ -34,7 +39,7 @@ class LatticeBodies {
       auto lattice = Lattice<D>::find(places, members[k], body.spacing, std::min(support, Kernel::support * first));
       if (!lattice) continue;
       std::fill_n(lists_.begin() + static_cast<std::ptrdiff_t>(body.range.begin), body.range.size(), std::uint8_t{0});
-      bodies_.emplace_back(std::move(*lattice), first, corrected);
+      bodies_.emplace_back(std::move(*lattice), first, read);
     }
     visit([count = particles.count()](std::size_t i) { return i < count; });
   }
@@ -50,8 +55,11 @@ class LatticeBodies {
     for (auto& body : bodies_) body.rows.fill(body.lattice, records, of_reference, of_motion);
   }
   void fill(const std::vector<StressRecord<D>>& records) {
+    for (auto& body : bodies_) body.rows.fill(body.lattice, records, of_reference + of_motion, body.of_stress);
+  }
+  void fill(const std::vector<HourglassRecord<D>>& records) {
     for (auto& body : bodies_)
-      body.rows.fill(body.lattice, records, of_reference + of_motion, body.kept - of_reference - of_motion);
+      body.rows.fill(body.lattice, records, of_reference + of_motion + body.of_stress, of_hourglass);
   }
 
   /// Leaves out where wanted(record) says no.
@@ -68,7 +76,7 @@ class LatticeBodies {
           body.lattice, body.rows, body.pairs,
           make(LatticeRecords<D>{body.rows.template view<ReferenceRecord<D>>(0),
                                  body.rows.template view<MotionRecord<D>>(of_reference),
-                                 body.rows.template view<StressRecord<D>>(of_reference + of_motion)}),
+                                 body.rows.template view<StressRecord<D>>(of_reference + of_motion), body.hourglass()}),
           count);
   }
 
@@ -84,24 +92,32 @@ class LatticeBodies {
   static constexpr std::size_t of_reference = 1;
   static constexpr std::size_t of_motion = sizeof(MotionRecord<D>) / sizeof(double);
   static constexpr std::size_t of_corrected_stress = sizeof(StressRecord<D>) / sizeof(double) - 1;
-  static constexpr std::size_t of_stress = of_corrected_stress - 2 * D;
+  static constexpr std::size_t of_plain_stress = of_corrected_stress - 2 * D;
+  static constexpr std::size_t of_hourglass = sizeof(HourglassRecord<D>) / sizeof(double);
 
   struct Body {
     Lattice<D> lattice;
-    std::size_t kept;
+    bool has_hourglass;
+    std::size_t of_stress;
     TransposedRecords rows;
     std::vector<LatticePair<ReferencePair<double, D>>> pairs;
 
-    Body(Lattice<D> found, double h, bool corrected)
+    Body(Lattice<D> found, double h, LagrangianReads read)
         : lattice(std::move(found)),
-          kept(of_reference + of_motion + (corrected ? of_corrected_stress : of_stress)),
-          rows(lattice, kept) {
+          has_hourglass(read.hourglass),
+          of_stress(read.corrected ? of_corrected_stress : of_plain_stress),
+          rows(lattice, of_reference + of_motion + of_stress + (has_hourglass ? of_hourglass : 0)) {
       for (const auto& neighbour : lattice.neighbours()) {
         const KernelPair<Kernel, D> pair(broadcast(neighbour.x), Pack(h));
         auto slope = Vector<double, D>::zero();
         for (int k = 0; k < D; ++k) slope[k] = pair.slope[k][0];
         pairs.push_back({{neighbour.x, h, pair.value[0], slope}, rows.way(neighbour.rows, neighbour.columns)});
       }
+    }
+
+    Transposed<HourglassRecord<D>> hourglass() const {
+      if (!has_hourglass) return {nullptr, 0};
+      return rows.template view<HourglassRecord<D>>(of_reference + of_motion + of_stress);
     }
   };
 

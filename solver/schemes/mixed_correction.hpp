@@ -11,6 +11,7 @@
 #include "parallel/for_each_pair.hpp"
 #include "parallel/reduce.hpp"
 #include "passes/correction_sums.hpp"
+#include "schemes/scheme.hpp"
 
 namespace tektite {
 
@@ -18,6 +19,18 @@ namespace tektite {
 inline std::string remark_on_correction(std::size_t without) {
   if (without == 0) return {};
   return fmt::format("{} particles have too few neighbours for the correction and go without", without);
+}
+
+/// The failure of a correction that more than this part of the particles goes without.
+inline std::vector<Warning> few_neighbours(std::size_t without, std::size_t count) {
+  constexpr double notable = 0.01;
+  const double part = static_cast<double>(without) / static_cast<double>(count);
+  if (part <= notable) return {};
+  return {{"few-neighbours",
+           fmt::format("{:.0f} % of the particles have too few neighbours for the correction and go without: their "
+                       "strains and forces miss what the neighbours would have added; more particles through the "
+                       "thinnest part, or a larger smoothing.ratio, may mend it",
+                       100.0 * part)}};
 }
 
 template <class Kernel, int D>

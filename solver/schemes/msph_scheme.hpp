@@ -49,6 +49,7 @@ class MsphScheme final : public Scheme {
   void restore(const std::map<std::string, double>& state) override {
     allocate_scratch();
     neighbourhood_.restore(state);
+    answered_ = state.at("particle_steps");
     lower_order_ = {state.at("first_order_particle_steps"), state.at("zeroth_order_particle_steps")};
     assemble();
   }
@@ -56,6 +57,7 @@ class MsphScheme final : public Scheme {
     neighbourhood_.save(state);
     state["first_order_particle_steps"] = lower_order_.first;
     state["zeroth_order_particle_steps"] = lower_order_.second;
+    state["particle_steps"] = answered_;
   }
 
   void step(double dt) override {
@@ -87,6 +89,16 @@ class MsphScheme final : public Scheme {
         "the matrix B was ill-conditioned and answered by lower order: first order in {:.0f} and zeroth "
         "in {:.0f} particle steps",
         lower_order_.first, lower_order_.second);
+  }
+  std::vector<Warning> warnings() const override {
+    constexpr double notable = 0.01;
+    const double part = (lower_order_.first + lower_order_.second) / answered_;
+    if (!(part > notable)) return {};
+    return {{"singular-matrix",
+             fmt::format("the matrix B was too ill-conditioned in {:.0f} % of all particle steps, and the expansion of "
+                         "first or zeroth order answered: derivatives there are not those of the scheme; a larger "
+                         "smoothing.ratio, or smoothing_share, which keeps particles in order, may mend it",
+                         100.0 * part)}};
   }
   std::size_t memory() const override {
     return neighbourhood_.memory() + records_.capacity() * sizeof(EulerianRecord<D>) +
@@ -168,6 +180,7 @@ class MsphScheme final : public Scheme {
           whole.first += part.first;
           whole.second += part.second;
         });
+    answered_ += static_cast<double>(p.count());
     lower_order_.first += lower.first;
     lower_order_.second += lower.second;
     run_all(MsphSurface<D>{lopsidedness_.data(), p.template vectors<D>(Field::velocity), anvil_,
@@ -302,6 +315,7 @@ class MsphScheme final : public Scheme {
   MaterialPasses<D, across> materials_;
   Neighbourhood<D> neighbourhood_;
   Anvil<D> anvil_;
+  double answered_ = 0.0;                            ///< particle steps
   std::pair<double, double> lower_order_{0.0, 0.0};  ///< particle steps by first and by zeroth order
   std::vector<EulerianRecord<D>> records_;
   std::vector<MsphCoefficients<D>> coefficients_;

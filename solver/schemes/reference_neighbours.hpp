@@ -17,12 +17,12 @@ class ReferenceNeighbours {
   /// What the lists have to hold beside the particles that are on no lattice.
   enum class Lists { off_lattice, all };
 
-  /// Finds lattices, if `lattices` are wanted, lists, and the images of `mirror`; `corrected` says whether passes read
-  /// corrections.
-  void find(const Particles& particles, Mirror<D>& mirror, double support, bool lattices, bool corrected, Lists lists) {
+  /// Finds lattices, if `lattices` are wanted, lists, and the images of `mirror`; `read` says what passes read.
+  void find(const Particles& particles, Mirror<D>& mirror, double support, bool lattices, LagrangianReads read,
+            Lists lists) {
     count_ = particles.count();
     const ReferencePlaces<D> places(particles, mirror, support);
-    if (lattices) lattices_.find(particles, places.x, places.body, support, corrected);
+    if (lattices) lattices_.find(particles, places.x, places.body, support, read);
     if (lists == Lists::off_lattice && lattices_.any())
       pairs_ = reference_pairs<D>(places, count_, support, lattices_.lists());
     else

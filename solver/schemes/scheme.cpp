@@ -84,6 +84,14 @@ SchemeSettings read_scheme(Section& root, const Scene& scene) {
   if (section.has("artificial_stress") && (eulerian || adaptle))
     settings.artificial_stress = read_artificial_stress(section.section("artificial_stress"), scene.space, adaptle);
   if (adaptle) settings.conversion = read_conversion(section);
+  if (section.has("hourglass_control")) {
+    if (settings.type != "total-lagrangian")
+      throw section.fault(
+          "hourglass_control",
+          "it holds bonds of the reference configuration, which " + settings.type + " lets go of or has none of",
+          "the scheme total-lagrangian");
+    settings.hourglass_control = section.quantity("hourglass_control", dimension::none, {0.0, 1.0});
+  }
   if (split) settings.godunov = std::make_shared<GodunovSettings>(read_godunov(section, scene.space));
   section.finish();
   settings.kernel = scene.kernel;

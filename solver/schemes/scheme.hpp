@@ -36,6 +36,7 @@ struct SchemeSettings {
   double smoothing_share = 0.0;                    ///< α_cs of the conservative smoothing
   bool adjoint_forces = false;                     ///< of msph: the adjoint of the strain rates, not the strong form
   std::optional<SymmetryPlane> anvil;              ///< a rigid smooth wall
+  double hourglass_control = 0.0;                  ///< its modulus over the shear modulus; none where zero
 };
 
 /// Everything that a scheme is built from. The particles outlive the scheme.
@@ -57,7 +58,14 @@ struct Ledger {
   double kinetic = 0.0, internal = 0.0, plastic = 0.0, viscous = 0.0;  ///< J
   double contact = 0.0;                                                ///< stored between bodies, J
   std::vector<double> momentum;                                        ///< kg m/s
-  double total() const { return kinetic + internal + contact; }
+  double hourglass = 0.0;  ///< work done against the control of such modes, J
+  double total() const { return kinetic + internal + contact + hourglass; }
+};
+
+/// A failure that has a name (docs/stability.md).
+struct Warning {
+  std::string name;
+  std::string text;  ///< what was found, what it means, what may mend it
 };
 
 class Scheme {
@@ -80,6 +88,8 @@ class Scheme {
   virtual std::string remark() const { return {}; }
   /// What a user should know when it ends; may be empty.
   virtual std::string closing_remark() const { return {}; }
+  /// What it knows of its own failures so far.
+  virtual std::vector<Warning> warnings() const { return {}; }
   /// Bytes that the scheme holds beside the fields.
   virtual std::size_t memory() const = 0;
 };

@@ -14,6 +14,7 @@
 #include "schemes/converter.hpp"
 #include "schemes/eulerian_part.hpp"
 #include "schemes/hold_still.hpp"
+#include "schemes/hourglass_control.hpp"
 #include "schemes/interface_forces.hpp"
 #include "schemes/lagrangian_rings.hpp"
 #include "schemes/make_scheme_in.hpp"
@@ -75,10 +76,12 @@ class TotalLagrangianScheme final : public Scheme {
     prepare();
     if (eulerian_) eulerian_->restore(state);
     if (contact_) contact_->restore(state);
+    if (hourglass_) hourglass_->restore(state);
   }
   void save(std::map<std::string, double>& state) const override {
     if (eulerian_) eulerian_->save(state);
     if (contact_) contact_->save(state);
+    if (hourglass_) hourglass_->save(state);
   }
 
   void step(double dt) override {
@@ -98,24 +101,30 @@ class TotalLagrangianScheme final : public Scheme {
     return with_contact(least_stable_step<D>(particles_, settings_.courant, viscosity_), contact_, settings_.courant);
   }
 
-  Ledger ledger() override { return ledger_of<D>(particles_, contact_ ? contact_->energy() : 0.0); }
+  Ledger ledger() override {
+    auto ledger = ledger_of<D>(particles_, contact_ ? contact_->energy() : 0.0);
+    if (hourglass_) ledger.hourglass = hourglass_->energy();
+    return ledger;
+  }
 
   bool in_contact() const override { return contact_ && contact_->touching(); }
   std::string remark() const override {
     std::string text;
     if (eulerian_ && eulerian_->any()) text = fmt::format("{} particles are Eulerian", eulerian_->count());
-    const auto other = remark_on_correction(uncorrected_ + (eulerian_ ? eulerian_->without_correction() : 0));
+    const auto other = remark_on_correction(without_correction());
     return text + (text.empty() || other.empty() ? "" : "; ") + other;
   }
+  std::vector<Warning> warnings() const override { return few_neighbours(without_correction(), particles_.count()); }
 
   std::size_t memory() const override {
     return neighbours_.memory() + (contact_ ? contact_->memory() : 0) + (eulerian_ ? eulerian_->memory() : 0) +
            reference_.capacity() * sizeof(ReferenceRecord<D>) + motion_.capacity() * sizeof(MotionRecord<D>) +
            stress_.capacity() * sizeof(StressRecord<D>) + deformation_.capacity() * sizeof(Tensor<double, D>) +
-           rings_.memory() + interface_.memory();
+           rings_.memory() + interface_.memory() + (hourglass_ ? hourglass_->memory() : 0);
   }
 
  private:
+  std::size_t without_correction() const { return uncorrected_ + (eulerian_ ? eulerian_->without_correction() : 0); }
   double support() const { return Kernel::support * smoothing_range(particles_).second; }
 
   /// Everything that follows from the reference configuration alone.
@@ -126,7 +135,8 @@ class TotalLagrangianScheme final : public Scheme {
     if constexpr (rings) particles_.allocate(Field::across_rate);
     materials_.allocate_scratch();
     const bool all_listed = settings_.corrected || eulerian_ || rings;
-    neighbours_.find(particles_, mirror_, support(), !rings, settings_.corrected,
+    const bool controlled = settings_.hourglass_control > 0.0;
+    neighbours_.find(particles_, mirror_, support(), !rings, {settings_.corrected, controlled},
                      all_listed ? Neighbours::Lists::all : Neighbours::Lists::off_lattice);
     const auto count = particles_.count(), all = count + mirror_.images();
     reference_.resize(all);
@@ -140,7 +150,11 @@ class TotalLagrangianScheme final : public Scheme {
       r.smoothing_length = particles_.scalars(Field::smoothing_length)[i];
       r.correction = Correction<double, D>::none();
     }
-    if constexpr (rings) rings_.prepare(particles_, reference_);
+    if (controlled) hourglass_.emplace(count, materials_, settings_.hourglass_control);
+    if constexpr (rings) {
+      rings_.prepare(particles_, reference_);
+      if (controlled) hourglass_->turn_into_rings(rings_.circumference_of_each());
+    }
     note_kernel_types();
     if constexpr (rings) rings_.find_offsets(neighbours_.pairs(), mirror_, reference_);
     if (settings_.corrected)
@@ -230,6 +244,11 @@ class TotalLagrangianScheme final : public Scheme {
     if constexpr (rings)
       rings_.add_forces(neighbours_.pairs(), mirror_, reference_, p.scalars(Field::mass),
                         p.template vectors<D>(Field::acceleration));
+    if (hourglass_) {
+      const auto hourglass_scope = profile_.time("hourglass");
+      hourglass_->add_forces(neighbours_, mirror_, reference_, motion_, p.scalars(Field::mass),
+                             p.template vectors<D>(Field::acceleration), dt);
+    }
     if (eulerian_) {
       if constexpr (D == 2) interface_.add(p, mirror_, reference_, motion_, stress_);
       eulerian_->evaluate(motion_);
@@ -320,6 +339,7 @@ class TotalLagrangianScheme final : public Scheme {
   std::optional<EulerianPart<Kernel, D>> eulerian_;  ///< of the scheme adaptle
   Converter<D> converter_;
   InterfaceForces<Kernel> interface_;  ///< of the scheme adaptle, in the plane
+  std::optional<HourglassControl<Kernel, D>> hourglass_;
 };
 
 /// One space for all kernels; each space is instantiated in a translation unit of its own.

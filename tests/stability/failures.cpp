@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "run/too_near.hpp"
 #include "run/watch.hpp"
 #include "support/lattice.hpp"
 
@@ -52,20 +53,20 @@ TEST_CASE("Tensile instability: a pulled square of Eulerian particles clumps, an
   const auto simulation = pulled_square("eulerian");
   const auto& particles = simulation.particles();
   Watch watch;
-  const auto warnings = watch.look(particles, simulation.settings().materials);
+  const auto warnings = watch.look(particles, simulation.settings().materials, {});
   WARN("clumped: " << clumped_part(particles, particles.bodies()[0], density)
                    << ", farthest from its place: " << farthest_from_places(simulation));
   REQUIRE(warnings.size() == 1);
   CHECK(warnings[0].name == "clumping");
   CHECK(watch.names().contains("clumping"));
-  CHECK(watch.look(particles, simulation.settings().materials).empty());  // told once
+  CHECK(watch.look(particles, simulation.settings().materials, {}).empty());  // told once
 }
 
 TEST_CASE("Tensile instability: with kernels of the reference configuration the pulled square stays as it is") {
   const auto simulation = pulled_square("total-lagrangian");
   CHECK(farthest_from_places(simulation) < 0.01);
   Watch watch;
-  CHECK(watch.look(simulation.particles(), simulation.settings().materials).empty());
+  CHECK(watch.look(simulation.particles(), simulation.settings().materials, {}).empty());
 }
 
 TEST_CASE("Watch: a lattice has no clumps, however fine it is pressed") {
@@ -86,4 +87,19 @@ TEST_CASE("Reference configuration: one that is turned inside out ends the run b
   for (std::size_t i = 0; i < particles.count(); ++i) particles.reals(Field::velocity)[i] = i < 20 ? 2e5 : -2e5;
   auto simulation = simulation_of("time.end = 1.0\nscheme.type = 'total-lagrangian'\n" + metal, std::move(particles));
   CHECK_THROWS_WITH(take_steps(simulation, 100), Catch::StartsWith("negative-jacobian: "));
+}
+
+TEST_CASE("Time step: one that falls without end ends the run by that name") {
+  // A liquid without viscosity that runs together evenly, so that nothing stops it: the stretch λ falls by
+  // 0.75 λ h s/c in a step, s its rate at the start, and the step with it.
+  constexpr int count = 40;
+  const double rate = 5.0 * std::sqrt(bulk / density) / (count * spacing);
+  auto particles = particles_on(Space::line, {{"liquid", "liquid", spacing, {0.0}, {count}, {0.0}}}, density);
+  for (std::size_t i = 0; i < particles.count(); ++i)
+    particles.reals(Field::velocity)[i] = rate * (0.5 * count * spacing - particles.reals(Field::position)[i]);
+  auto simulation = simulation_of(
+      "time.end = 1.0\nscheme.type = 'total-lagrangian'\nviscosity = { model = 'monaghan', alpha = 0.0, beta = 0.0 }\n"
+      "[material.liquid]\ndensity = 2785.0\neos = { model = 'linear', bulk_modulus = 79e9 }\n",
+      std::move(particles));
+  CHECK_THROWS_WITH(take_steps(simulation, 1000), Catch::StartsWith("dt-collapse: "));
 }

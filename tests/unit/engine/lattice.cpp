@@ -71,7 +71,7 @@ class State {
     const auto count = particles_.count();
     const ReferencePlaces<D> places(particles_, mirror_, support);
     pairs_ = reference_pairs(places, count, support);
-    lattices_.find(particles_, places.x, places.body, support, true);
+    lattices_.find(particles_, places.x, places.body, support, {true, false});
     const std::size_t all = count + mirror_.images();
     reference_.resize(all);
     motion_.resize(all);

@@ -1,0 +1,120 @@
+#include "run/hourglass_share.hpp"
+
+#include "core/kernel_type.hpp"
+#include "core/tensor_algebra.hpp"
+#include "core/tensor_product.hpp"
+#include "neighbours/cell_grid.hpp"
+#include "parallel/reduce.hpp"
+
+namespace tektite {
+namespace {
+
+/// Of the spacing: the neighbours of a square lattice along its axes and diagonals.
+constexpr double reach = 1.6;
+
+/// Of the determinant that the same trace has in all directions alike: neighbours below it do not span the space.
+constexpr double flat = 1e-3;
+
+struct Energies {
+  double unseen = 0.0, seen = 0.0;  ///< J
+};
+
+template <int D>
+class Bonds {
+ public:
+  Bonds(const Particles& particles, const Body& body, double shear_modulus, double bulk_modulus)
+      : particles_(particles),
+        shear_modulus_(shear_modulus),
+        bulk_modulus_(bulk_modulus),
+        longest_(reach * body.spacing) {
+    const auto types = particles.integers(Field::kernel_type);
+    const double* damage = optional(Field::damage);
+    for (auto i = body.range.begin; i < body.range.end; ++i) {
+      const bool failed = damage && damage[i] >= 1.0;
+      if (failed || types[i] != static_cast<std::int64_t>(KernelType::total_lagrangian)) continue;
+      members_.push_back(i);
+      reference_.push_back(particles.vectors<D>(Field::reference_position)[i]);
+    }
+    if (!reference_.empty()) grid_.build(reference_, longest_);
+  }
+
+  Energies sum() const {
+    return reduce(
+        members_.size(), Energies{}, [this](Energies& part, std::size_t n) { add(part, n); },
+        [](Energies& whole, const Energies& part) {
+          whole.unseen += part.unseen;
+          whole.seen += part.seen;
+        });
+  }
+
+ private:
+  const double* optional(Field field) const { return particles_.has(field) ? particles_.scalars(field) : nullptr; }
+
+  /// work(Ξ, u) for the neighbours of a member.
+  template <class Work>
+  void for_each_bond(std::size_t n, const Work& work) const {
+    const auto* x = particles_.vectors<D>(Field::position);
+    for (const auto cell : grid_.around(grid_.cell_of(reference_[n])))
+      for (const auto m : grid_.members(cell)) {
+        const auto bond = reference_[m] - reference_[n];
+        if (m != n && norm(bond) < longest_) work(bond, (x[members_[m]] - x[members_[n]]) - bond);
+      }
+  }
+
+  /// D Σ|e|²/Σ|Ξ|², zero where the neighbours do not span the space.
+  double mismatch(std::size_t n) const {
+    auto moment = Tensor<double, D>::zero(), motion = Tensor<double, D>::zero();
+    for_each_bond(n, [&](const auto& bond, const auto& u) {
+      add_outer(moment, bond, bond);
+      add_outer(motion, u, bond);
+    });
+    const double spanned = determinant(moment);
+    double scale = 1.0;
+    for (int k = 0; k < D; ++k) scale *= trace(moment) / D;
+    if (!(spanned > flat * scale)) return 0.0;
+    auto gradient = product_with_transposed(motion, cofactor(moment));
+    for (auto& component : gradient.c) component /= spanned;
+    double missed = 0.0;
+    for_each_bond(n, [&](const auto& bond, const auto& u) {
+      const auto error = times(gradient, bond) - u;
+      missed += dot(error, error);
+    });
+    return D * missed / trace(moment);
+  }
+
+  void add(Energies& energies, std::size_t n) const {
+    const auto i = members_[n];
+    const double mass = particles_.scalars(Field::mass)[i], volume = mass / particles_.scalars(Field::density)[i];
+    const double pressure = particles_.scalars(Field::pressure)[i];
+    const auto& s = particles_.symmetrics<D>(Field::deviatoric_stress)[i];
+    energies.unseen += volume * shear_modulus_ * mismatch(n);
+    energies.seen += volume * (0.5 * pressure * pressure / bulk_modulus_ + 0.25 * contract(s, s) / shear_modulus_);
+    for (const auto* work : {optional(Field::plastic_work), optional(Field::viscous_work)})
+      if (work) energies.seen += mass * work[i];
+  }
+
+  const Particles& particles_;
+  double shear_modulus_, bulk_modulus_, longest_;
+  std::vector<std::size_t> members_;
+  std::vector<Vector<double, D>> reference_;
+  CellGrid<D> grid_;
+};
+
+template <int D>
+double share_in(const Particles& particles, const Body& body, double shear_modulus, double bulk_modulus) {
+  const auto energies = Bonds<D>(particles, body, shear_modulus, bulk_modulus).sum();
+  return energies.unseen > 0.0 ? energies.unseen / (energies.unseen + energies.seen) : 0.0;
+}
+
+}  // namespace
+
+double hourglass_share(const Particles& particles, const Body& body, const Material& material) {
+  const double shear = std::visit([](const auto& model) { return model.shear_modulus; }, material.strength);
+  if (!particles.has(Field::reference_position) || shear == 0.0) return 0.0;
+  const double bulk = bulk_modulus_of(material);
+  return particles.dimensions() == 1   ? share_in<1>(particles, body, shear, bulk)
+         : particles.dimensions() == 2 ? share_in<2>(particles, body, shear, bulk)
+                                       : share_in<3>(particles, body, shear, bulk);
+}
+
+}  // namespace tektite

@@ -1,0 +1,99 @@
+#include "run/too_near.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/kernel_type.hpp"
+#include "neighbours/cell_grid.hpp"
+
+namespace tektite {
+namespace {
+
+bool is_lagrangian(const Particles& particles, std::size_t i) {
+  return particles.has(Field::reference_position) &&
+         particles.integers(Field::kernel_type)[i] == static_cast<std::int64_t>(KernelType::total_lagrangian);
+}
+
+/// Particles with the distance below which another one is too near.
+template <int D>
+struct Crowd {
+  std::vector<std::size_t> members;
+  std::vector<Vector<double, D>> x;
+  std::vector<double> near;  ///< m
+
+  void add(const Particles& particles, const Body& body, std::size_t i, double density) {
+    members.push_back(i);
+    x.push_back(particles.vectors<D>(Field::position)[i]);
+    near.push_back(too_near_distance * body.spacing *
+                   std::pow(density / particles.scalars(Field::density)[i], 1.0 / D));
+  }
+};
+
+/// How many of those that asks(i) have one too near with which i meets(i, j).
+template <int D, class Asks, class Meets>
+std::size_t count_too_near(const Crowd<D>& crowd, const Asks& asks, const Meets& meets) {
+  if (crowd.members.empty()) return 0;
+  CellGrid<D> grid;
+  grid.build(crowd.x, *std::ranges::max_element(crowd.near));
+  std::size_t count = 0;
+  for (std::size_t n = 0; n < crowd.x.size(); ++n) {
+    if (!asks(crowd.members[n])) continue;
+    bool found = false;
+    for (const auto cell : grid.around(grid.cell_of(crowd.x[n])))
+      for (const auto m : grid.members(cell))
+        found = found || (m != n && norm(crowd.x[m] - crowd.x[n]) < std::min(crowd.near[m], crowd.near[n]) &&
+                          meets(crowd.members[n], crowd.members[m]));
+    count += found ? 1 : 0;
+  }
+  return count;
+}
+
+template <int D>
+std::size_t count_clumped(const Particles& particles, const Body& body, double density) {
+  Crowd<D> crowd;
+  for (auto i = body.range.begin; i < body.range.end; ++i)
+    if (!is_lagrangian(particles, i)) crowd.add(particles, body, i, density);
+  return count_too_near(
+      crowd, [](std::size_t) { return true; }, [](std::size_t, std::size_t) { return true; });
+}
+
+template <int D>
+std::size_t count_interpenetrated(const Particles& particles, const Body& own,
+                                  const std::map<std::string, Material>& materials) {
+  if (particles.bodies().size() == 1 && !particles.has(Field::reference_position)) return 0;
+  const auto within = [&own](std::size_t i) { return i >= own.range.begin && i < own.range.end; };
+  Crowd<D> crowd;
+  for (const auto& body : particles.bodies())
+    for (auto i = body.range.begin; i < body.range.end; ++i)
+      crowd.add(particles, body, i, materials.at(body.material).density);
+  return count_too_near(crowd, within, [&](std::size_t i, std::size_t j) {
+    if (!within(j)) return true;
+    if (!is_lagrangian(particles, i) || !is_lagrangian(particles, j)) return false;
+    const auto* places = particles.vectors<D>(Field::reference_position);
+    return norm(places[i] - places[j]) > 2.0 * own.spacing;
+  });
+}
+
+double part_of(std::size_t count, const Body& body) {
+  return body.range.size() == 0 ? 0.0 : static_cast<double>(count) / static_cast<double>(body.range.size());
+}
+
+}  // namespace
+
+double clumped_part(const Particles& particles, const Body& body, double density) {
+  const auto count = particles.dimensions() == 1   ? count_clumped<1>(particles, body, density)
+                     : particles.dimensions() == 2 ? count_clumped<2>(particles, body, density)
+                                                   : count_clumped<3>(particles, body, density);
+  return part_of(count, body);
+}
+
+double interpenetrated_part(const Particles& particles, const Body& body,
+                            const std::map<std::string, Material>& materials) {
+  const auto count = particles.dimensions() == 1   ? count_interpenetrated<1>(particles, body, materials)
+                     : particles.dimensions() == 2 ? count_interpenetrated<2>(particles, body, materials)
+                                                   : count_interpenetrated<3>(particles, body, materials);
+  return part_of(count, body);
+}
+
+}  // namespace tektite
