@@ -96,6 +96,7 @@ class LatticeBodies {
         : lattice(std::move(found)),
           kept(of_reference + of_motion + (corrected ? of_corrected_stress : of_stress)),
           rows(lattice, kept) {
+      rows.template empty<StressRecord<D>>(of_reference + of_motion, kept - of_reference - of_motion);
       for (const auto& neighbour : lattice.neighbours()) {
         const KernelPair<Kernel, D> pair(broadcast(neighbour.x), Pack(h));
         auto slope = Vector<double, D>::zero();
