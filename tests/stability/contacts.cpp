@@ -92,14 +92,16 @@ Pulse through_contact(const std::string& scheme, double heavier, double wider) {
       p.reals(Field::density)[i] *= heavier;
       p.reals(Field::mass)[i] *= heavier;
     }
-    const double v = std::abs(x - centre) < width ? amplitude * std::pow(std::cos(0.5 * M_PI * (x - centre) / width), 4) : 0.0;
+    const double v =
+        std::abs(x - centre) < width ? amplitude * std::pow(std::cos(0.5 * M_PI * (x - centre) / width), 4) : 0.0;
     p.reals(Field::velocity)[i] = v;
     if (v > 0.0) p.reals(Field::density)[i] *= 1.0 + v / sound_speed;
   }
   auto simulation = simulation_of(
-      fmt::format("time.end = 250.0\n{}[material.light]\ndensity = 1.0\neos = {{ model = 'linear', bulk_modulus = 1.0 }}\n"
-                  "[material.heavy]\ndensity = {}\neos = {{ model = 'linear', bulk_modulus = {} }}\n",
-                  scheme, heavier, heavier),
+      fmt::format(
+          "time.end = 250.0\n{}[material.light]\ndensity = 1.0\neos = {{ model = 'linear', bulk_modulus = 1.0 }}\n"
+          "[material.heavy]\ndensity = {}\neos = {{ model = 'linear', bulk_modulus = {} }}\n",
+          scheme, heavier, heavier),
       std::move(p));
   run_to_the_end(simulation);
   const auto x = by_id(simulation.particles(), Field::position), v = by_id(simulation.particles(), Field::velocity);
@@ -118,7 +120,8 @@ TEST_CASE("Interpenetration: bars run through each other where the shock is abov
   for (const double factor : {0.02, 0.5})
     for (const double speed : {2000.0, 16000.0}) {
       const auto meeting = meet(with_contact(factor), speed);
-      const double shock = 0.5 * density * wave_speed * speed, held = largest_pressure(factor);  // acoustic, a lower bound
+      const double shock = 0.5 * density * wave_speed * speed,
+                   held = largest_pressure(factor);  // acoustic, a lower bound
       WARN(fmt::format("factor {}, {} m/s: shock {:.0f} GPa, the contact holds {:.0f} GPa; part at {:.3f}: {}", factor,
                        speed, 1e-9 * shock, 1e-9 * held, meeting.apart, fmt::join(meeting.names, " ")));
       CHECK((meeting.apart > 0.5) == (shock < held));
@@ -147,8 +150,8 @@ TEST_CASE("Contact: however stiff it is, the time step follows it and the energy
 }
 
 TEST_CASE("Contact: what first and second order lose of a pulse that passes one, and other particles behind it") {
-  for (const std::string scheme : {"scheme = { type = 'godunov-split', order = 1 }\n", "scheme = { type = 'godunov-split', order = 2 }\n",
-                                   "scheme.type = 'eulerian'\n"})
+  for (const std::string scheme : {"scheme = { type = 'godunov-split', order = 1 }\n",
+                                   "scheme = { type = 'godunov-split', order = 2 }\n", "scheme.type = 'eulerian'\n"})
     for (const auto& [heavier, wider] : {std::pair{1.0, 1.0}, {8.0, 1.0}, {1.0, 4.0}, {8.0, 4.0}, {8.0, 0.25}}) {
       const auto pulse = through_contact(scheme, heavier, wider);
       WARN(fmt::format("{}density {} : 1, spacing {} : 1: {:.3f} passes, {:.3f} comes back", scheme, heavier, wider,

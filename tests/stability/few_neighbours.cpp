@@ -32,8 +32,8 @@ struct Strained {
 Strained drawn_strip(const std::string& scheme, int rows) {
   constexpr int length = 31;
   constexpr double rate = 1e3;
-  auto particles = particles_on(Space::plane_strain,
-                                {{"strip", "metal", spacing, {0.0, 0.0}, {length, rows}, {0.0, 0.0}}}, density);
+  auto particles =
+      particles_on(Space::plane_strain, {{"strip", "metal", spacing, {0.0, 0.0}, {length, rows}, {0.0, 0.0}}}, density);
   for (std::size_t i = 0; i < particles.count(); ++i)
     particles.reals(Field::velocity)[2 * i] = rate * particles.reals(Field::position)[2 * i];
   auto simulation = simulation_of("time.end = 1.0\n" + scheme + metal, std::move(particles));
@@ -60,8 +60,9 @@ struct Lower {
 Lower disordered(const std::string& scheme, double ratio, double disorder) {
   constexpr int side = 24;
   constexpr double rate = 1e3;
-  auto particles = particles_on(
-      Space::plane_strain, {{"square", "metal", spacing, {0.0, 0.0}, {side, side}, {0.0, 0.0}, nullptr, ratio}}, density);
+  auto particles =
+      particles_on(Space::plane_strain,
+                   {{"square", "metal", spacing, {0.0, 0.0}, {side, side}, {0.0, 0.0}, nullptr, ratio}}, density);
   std::uint64_t seed = 1;
   for (std::size_t k = 0; k < 2 * particles.count(); ++k) {
     seed = seed * 6364136223846793005u + 1442695040888963407u;
@@ -70,8 +71,8 @@ Lower disordered(const std::string& scheme, double ratio, double disorder) {
   }
   for (std::size_t i = 0; i < particles.count(); ++i)
     particles.reals(Field::velocity)[2 * i] = rate * particles.reals(Field::position)[2 * i];
-  auto simulation = simulation_of(
-      "time.end = 1.0\nsmoothing.kernel = 'truncated-gaussian'\n" + scheme + metal, std::move(particles));
+  auto simulation =
+      simulation_of("time.end = 1.0\nsmoothing.kernel = 'truncated-gaussian'\n" + scheme + metal, std::move(particles));
   simulation.step();
   Lower lower;
   lower.names = names_of(simulation);
@@ -90,7 +91,8 @@ Lower disordered(const std::string& scheme, double ratio, double disorder) {
 }  // namespace
 
 TEST_CASE("Kernel correction: a single row of particles has no gradient across it, and the run says so") {
-  for (const std::string scheme : {"scheme.type = 'total-lagrangian'\n", "scheme = { type = 'eulerian', correction = 'mixed' }\n"})
+  for (const std::string scheme :
+       {"scheme.type = 'total-lagrangian'\n", "scheme = { type = 'eulerian', correction = 'mixed' }\n"})
     for (const int rows : {1, 2, 3}) {
       const auto strip = drawn_strip(scheme, rows);
       WARN(fmt::format("{}{} rows: {:.4f} of the strain rate is seen, a row alone {:.4f} {}", scheme, rows, strip.seen,

@@ -21,7 +21,8 @@ const double wave_speed = std::sqrt((metal_modulus + 4.0 / 3.0 * shear) / densit
 
 std::string metal_scene(double control, const std::string& other = {}, double courant = 0.25) {
   return fmt::format(
-      "scheme = {{ type = 'total-lagrangian', hourglass_control = {}, courant = {} }}\n{}[material.metal]\ndensity = 2785.0\n"
+      "scheme = {{ type = 'total-lagrangian', hourglass_control = {}, courant = {} }}\n{}[material.metal]\ndensity = "
+      "2785.0\n"
       "eos = {{ model = 'linear', bulk_modulus = 79e9 }}\nstrength = {{ model = 'elastic', shear_modulus = 27.6e9 }}\n",
       control, courant, other);
 }
@@ -82,9 +83,8 @@ Simulation noisy_square(double control, double noise) {
     for (int k = 0; k < 2; ++k)
       v[k] = wave_speed * (0.01 * (x[k] / (0.5 * (side - 1) * spacing) - 1.0) + (k == 0 ? sign * noise : 0.0));
   }
-  auto simulation =
-      simulation_of(fmt::format("time.end = {}\n", 60.0 * spacing / wave_speed) + metal_scene(control),
-                    std::move(particles));
+  auto simulation = simulation_of(fmt::format("time.end = {}\n", 60.0 * spacing / wave_speed) + metal_scene(control),
+                                  std::move(particles));
   run_to_the_end(simulation);
   return simulation;
 }

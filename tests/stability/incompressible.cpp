@@ -21,12 +21,13 @@ struct Bending {
 Bending bending(const std::string& scheme, double poisson) {
   constexpr int length = 20, rim = 4, high = 6;
   const double bulk = 2.0 * shear * (1.0 + poisson) / (3.0 * (1.0 - 2.0 * poisson));
-  auto p = particles_on(Space::plane_strain,
-                        {{"beam", "rubber", spacing, {-rim * spacing, 0.0}, {length + rim, high}, {0.0, 0.0}}}, density);
+  auto p =
+      particles_on(Space::plane_strain,
+                   {{"beam", "rubber", spacing, {-rim * spacing, 0.0}, {length + rim, high}, {0.0, 0.0}}}, density);
   p.allocate(Field::clamped);
   const double thin_modulus = 2.0 * shear / (1.0 - poisson);  // E/(1-ν²)
-  const double thin = std::pow(1.875 / (length * spacing), 2) * high * spacing *
-                      std::sqrt(thin_modulus / (12.0 * density));  // rad/s
+  const double thin =
+      std::pow(1.875 / (length * spacing), 2) * high * spacing * std::sqrt(thin_modulus / (12.0 * density));  // rad/s
   for (std::size_t i = 0; i < p.count(); ++i) {
     const double x = p.reals(Field::position)[2 * i] / (length * spacing);
     p.integers(Field::clamped)[i] = x < 0.0 ? 1 : 0;
@@ -56,9 +57,12 @@ Bending bending(const std::string& scheme, double poisson) {
 }  // namespace
 
 TEST_CASE("Near-incompressible elasticity: bending") {
-  for (const std::string scheme : {"scheme.type = 'total-lagrangian'\n", "scheme = { type = 'total-lagrangian', hourglass_control = 0.1 }\n", "scheme.type = 'eulerian'\n"})
+  for (const std::string scheme :
+       {"scheme.type = 'total-lagrangian'\n", "scheme = { type = 'total-lagrangian', hourglass_control = 0.1 }\n",
+        "scheme.type = 'eulerian'\n"})
     for (const double poisson : {0.3, 0.49, 0.499}) {
       const auto b = bending(scheme, poisson);
-      WARN(fmt::format("{}ν = {}: {:.4f} of the thin beam's frequency, {} steps a quarter", scheme, poisson, b.frequency, b.steps));
+      WARN(fmt::format("{}ν = {}: {:.4f} of the thin beam's frequency, {} steps a quarter", scheme, poisson,
+                       b.frequency, b.steps));
     }
 }

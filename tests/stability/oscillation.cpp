@@ -84,17 +84,19 @@ TEST_CASE("Oscillation: tries") {
       for (const double alpha : {0.0, 0.03, 1.0}) {
         const auto settings = lattice_settings("line", scheme(type, courant, alpha));
         const auto fastest = fastest_growth(Amplification(settings, stressed(settings, 1.4, 0.0)), waves_of(1, 40));
-        WARN(fmt::format("{} C = {} α = {}: growth {:.2e} c/δ at {:.2f}", type, courant, alpha, fastest.growth.rate, fastest.wave[0]));
+        WARN(fmt::format("{} C = {} α = {}: growth {:.2e} c/δ at {:.2f}", type, courant, alpha, fastest.growth.rate,
+                         fastest.wave[0]));
       }
       try {
         show(type, ring(scheme(type, courant, 0.0), 4000));
         show(type, ring(scheme(type, courant, 0.0), 20000));
-      } catch (const RunError& e) { WARN(std::string(e.what()).substr(0, 60)); }
+      } catch (const RunError& e) {
+        WARN(std::string(e.what()).substr(0, 60));
+      }
     }
 }
 
 TEST_CASE("Oscillation: a million steps", "[.long]") {
   for (const std::string type : {"total-lagrangian", "eulerian"})
-  for (const double courant : {0.05, 0.025})
-    show(type, ring(scheme(type, courant, 0.0), 1000000));
+    for (const double courant : {0.05, 0.025}) show(type, ring(scheme(type, courant, 0.0), 1000000));
 }

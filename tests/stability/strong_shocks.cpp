@@ -18,11 +18,13 @@ struct Case {
   double ratio;
 };
 const Case eulerian{"eulerian", "scheme.type = 'eulerian'\n", 2.0};
-const Case msph{"msph", "scheme = { type = 'msph', forces = 'adjoint' }\nsmoothing.kernel = 'truncated-gaussian'\n", 1.5};
+const Case msph{"msph", "scheme = { type = 'msph', forces = 'adjoint' }\nsmoothing.kernel = 'truncated-gaussian'\n",
+                1.5};
 const Case pm{"godunov-pm", "scheme.type = 'godunov-pm'\n", 2.0};
 const Case split1{"godunov-split 1", "scheme = { type = 'godunov-split', order = 1 }\n", 2.0};
 const Case split2{"godunov-split 2", "scheme = { type = 'godunov-split', order = 2 }\n", 2.0};
-const Case split2s{"godunov-split 2 two-shock", "scheme = { type = 'godunov-split', order = 2, riemann = { model = 'two-shock' } }\n", 2.0};
+const Case split2s{"godunov-split 2 two-shock",
+                   "scheme = { type = 'godunov-split', order = 2, riemann = { model = 'two-shock' } }\n", 2.0};
 
 std::string gas(double heat_ratio) {
   return fmt::format("[material.gas]\ndensity = 1.0\neos = {{ model = 'ideal-gas', heat_ratio = {} }}\n", heat_ratio);
@@ -36,10 +38,12 @@ struct Wall {
 
 Wall wall_heating(const Case& c, int count) {
   const double spacing = 1.0 / count;
-  auto p = particles_on(Space::line, {{"gas", "gas", spacing, {0.5 * spacing}, {count}, {-1.0}, nullptr, c.ratio}}, 1.0);
+  auto p =
+      particles_on(Space::line, {{"gas", "gas", spacing, {0.5 * spacing}, {count}, {-1.0}, nullptr, c.ratio}}, 1.0);
   p.allocate(Field::specific_internal_energy);
   std::ranges::fill(p.reals(Field::specific_internal_energy), 1e-6);
-  auto simulation = simulation_of("symmetry.wall = { axis = 'x' }\ntime.end = 0.6\n" + c.scene + gas(5.0 / 3.0), std::move(p));
+  auto simulation =
+      simulation_of("symmetry.wall = { axis = 'x' }\ntime.end = 0.6\n" + c.scene + gas(5.0 / 3.0), std::move(p));
   run_to_the_end(simulation);
   const auto e = by_id(simulation.particles(), Field::specific_internal_energy);
   Wall wall{e[0] / 0.5, 0.0};
@@ -55,7 +59,8 @@ struct Tube {
 
 Simulation tube_run(const Case& c, const Tube& tube, double spacing) {
   const int half = static_cast<int>(std::lround(1.0 / spacing));
-  std::vector<Lattice> bodies{{"left", "gas", spacing, {-1.0 + 0.5 * spacing}, {half}, {tube.left.velocity}, nullptr, c.ratio}};
+  std::vector<Lattice> bodies{
+      {"left", "gas", spacing, {-1.0 + 0.5 * spacing}, {half}, {tube.left.velocity}, nullptr, c.ratio}};
   if (tube.right.density > 0.0)
     bodies.push_back({"right", "gas", spacing, {0.5 * spacing}, {half}, {tube.right.velocity}, nullptr, c.ratio});
   auto p = particles_on(Space::line, bodies, 1.0);
@@ -82,7 +87,13 @@ std::string warned(const Simulation& simulation) {
 TEST_CASE("Wall heating: the gas at a wall is too hot, over a fixed number of particles") {
   for (const auto& c : {eulerian, msph, pm, split1, split2}) {
     Wall coarse, fine;
-    try { coarse = wall_heating(c, 100); fine = wall_heating(c, 400); } catch (const RunError& e) { WARN(c.name << std::string(e.what()).substr(0, 80)); continue; }
+    try {
+      coarse = wall_heating(c, 100);
+      fine = wall_heating(c, 400);
+    } catch (const RunError& e) {
+      WARN(c.name << std::string(e.what()).substr(0, 80));
+      continue;
+    }
     WARN(fmt::format("{}: at the wall {:.3f} and {:.3f} of the exact energy, over {} and {} particles", c.name,
                      coarse.at_wall, fine.at_wall, coarse.extent, fine.extent));
   }
@@ -92,32 +103,40 @@ TEST_CASE("Strong shock: Mach 100") {
   // Two streams of gas of sound speed 1/100.
   const double c0 = 0.01, e0 = c0 * c0 / (1.4 * 0.4);
   const Tube streams{{1.0, 0.83325, e0, 0.0}, {1.0, -0.83325, e0, 0.0}, 0.5};
-  for (const auto& c : {eulerian, Case{"eulerian 1.2", eulerian.scene, 1.2}, Case{"eulerian 4", eulerian.scene, 4.0},Case{"eulerian corr", "scheme = { type = 'eulerian', correction = 'mixed' }\n", 2.0}, msph, pm, split1, split2, split2s}) for (double sp : {0.01, 0.0025}) {
-   try {
-    const auto simulation = tube_run(c, streams, sp);
-    double density = 0.0, pressure = 0.0, velocity = 0.0, number = 0.0;
-    const auto& p = simulation.particles();
-    for (std::size_t i = 0; i < p.count(); ++i) {
-      const double x = std::abs(p.reals(Field::position)[i]);
-      if (x < 0.02 || x > 0.06) continue;
-      density += p.reals(Field::density)[i];
-      pressure += p.reals(Field::pressure)[i];
-      velocity = std::max(velocity, std::abs(p.reals(Field::velocity)[i]));
-      ++number;
+  for (const auto& c : {eulerian, Case{"eulerian 1.2", eulerian.scene, 1.2}, Case{"eulerian 4", eulerian.scene, 4.0},
+                        Case{"eulerian corr", "scheme = { type = 'eulerian', correction = 'mixed' }\n", 2.0}, msph, pm,
+                        split1, split2, split2s})
+    for (double sp : {0.01, 0.0025}) {
+      try {
+        const auto simulation = tube_run(c, streams, sp);
+        double density = 0.0, pressure = 0.0, velocity = 0.0, number = 0.0;
+        const auto& p = simulation.particles();
+        for (std::size_t i = 0; i < p.count(); ++i) {
+          const double x = std::abs(p.reals(Field::position)[i]);
+          if (x < 0.02 || x > 0.06) continue;
+          density += p.reals(Field::density)[i];
+          pressure += p.reals(Field::pressure)[i];
+          velocity = std::max(velocity, std::abs(p.reals(Field::velocity)[i]));
+          ++number;
+        }
+        struct {
+          double density, pressure;
+        } behind{6.0 / (1.0 + 5.0e-4), 1.0 * c0 * c0 / 1.4 * (7.0 * 1e4 - 1.0) / 6.0};
+        WARN(fmt::format("{}: density {:.3f}, pressure {:.3f} of exact, velocity {:.3f}, drift {:.1e}, {} steps {}",
+                         c.name, density / number / behind.density, pressure / number / behind.pressure, velocity,
+                         simulation.energy_drift(simulation.ledger()), simulation.steps(), warned(simulation)));
+      } catch (const RunError& e) {
+        WARN(c.name << std::string(e.what()).substr(0, 60));
+      }
     }
-    struct { double density, pressure; } behind{6.0 / (1.0 + 5.0e-4), 1.0 * c0 * c0 / 1.4 * (7.0 * 1e4 - 1.0) / 6.0};
-    WARN(fmt::format("{}: density {:.3f}, pressure {:.3f} of exact, velocity {:.3f}, drift {:.1e}, {} steps {}", c.name,
-                     density / number / behind.density, pressure / number / behind.pressure, velocity,
-                     simulation.energy_drift(simulation.ledger()), simulation.steps(), warned(simulation)));
-    } catch (const RunError& e) { WARN(c.name << std::string(e.what()).substr(0, 60)); }
-  }
 }
 
 TEST_CASE("Vacuum: gas expands into nothing") {
   // Its edge runs at 2c/(γ-1).
   const double e0 = 1.0 / (1.4 * 0.4);
   const Tube tube{{1.0, 0.0, e0, 0.0}, {0.0, 0.0, 0.0, 0.0}, 0.15};
-  for (const auto& c : {Case{"eulerian 1.4", eulerian.scene, 1.4}, eulerian, Case{"eulerian 4", eulerian.scene, 4.0},  Case{"eulerian 8", eulerian.scene, 8.0}}) {
+  for (const auto& c : {Case{"eulerian 1.4", eulerian.scene, 1.4}, eulerian, Case{"eulerian 4", eulerian.scene, 4.0},
+                        Case{"eulerian 8", eulerian.scene, 8.0}}) {
     for (const double spacing : {0.01, 0.0025}) {
       const auto simulation = tube_run(c, tube, spacing);
       const auto x = by_id(simulation.particles(), Field::position), v = by_id(simulation.particles(), Field::velocity),
@@ -128,8 +147,8 @@ TEST_CASE("Vacuum: gas expands into nothing") {
           const double xi = x[i] / tube.end, exact = std::clamp(2.0 / 2.4 * (1.0 + xi), 0.0, 5.0);
           error += std::abs(v[i] - exact) * spacing;
         }
-      WARN(fmt::format("{}, δ = {}: edge at {:.2f} of 5, velocity error {:.4f}, least energy {:.3e} {}", c.name, spacing,
-                       v.back(), error, *std::ranges::min_element(e), warned(simulation)));
+      WARN(fmt::format("{}, δ = {}: edge at {:.2f} of 5, velocity error {:.4f}, least energy {:.3e} {}", c.name,
+                       spacing, v.back(), error, *std::ranges::min_element(e), warned(simulation)));
     }
   }
 }

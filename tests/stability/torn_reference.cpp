@@ -15,8 +15,8 @@ namespace {
 
 constexpr double spacing = 1e-3, density = 2785.0;
 
-/// Two layers of one body, the upper one moving along the lower one. The metal is so soft that it can hold up the layers
-/// by `soft_yield` alone.
+/// Two layers of one body, the upper one moving along the lower one. The metal is so soft that it can hold up the
+/// layers by `soft_yield` alone.
 constexpr double soft_yield = 1e6, slip_speed = 100.0;
 constexpr int across = 30, high = 16;
 
@@ -28,8 +28,8 @@ struct Slip {
 };
 
 Slip slipped(const std::string& scheme, double spacings) {
-  auto particles = particles_on(Space::plane_strain,
-                                {{"layers", "soft", spacing, {0.0, 0.0}, {across, high}, {0.0, 0.0}}}, density);
+  auto particles =
+      particles_on(Space::plane_strain, {{"layers", "soft", spacing, {0.0, 0.0}, {across, high}, {0.0, 0.0}}}, density);
   const auto upper = [](double y) { return y > (0.5 * high - 0.5) * spacing; };
   for (std::size_t i = 0; i < particles.count(); ++i)
     particles.reals(Field::velocity)[2 * i] =
@@ -37,7 +37,8 @@ Slip slipped(const std::string& scheme, double spacings) {
   std::vector<bool> is_upper;
   for (const double y : by_id(particles, Field::position)) is_upper.push_back(upper(y));
   auto simulation = simulation_of(
-      fmt::format("time.end = {}\nviscosity = {{ model = 'monaghan', alpha = 0.0, beta = 2.0 }}\n{}[material.soft]\ndensity = 2785.0\neos = {{ model = 'linear', bulk_modulus = 79e9 }}\n"
+      fmt::format("time.end = {}\nviscosity = {{ model = 'monaghan', alpha = 0.0, beta = 2.0 "
+                  "}}\n{}[material.soft]\ndensity = 2785.0\neos = {{ model = 'linear', bulk_modulus = 79e9 }}\n"
                   "strength = {{ model = 'perfectly-plastic', shear_modulus = 27.6e9, yield_stress = {} }}\n",
                   spacings * spacing / slip_speed, scheme, soft_yield),
       std::move(particles));
@@ -51,7 +52,7 @@ Slip slipped(const std::string& scheme, double spacings) {
   watch.look(simulation.particles(), simulation.settings().materials, simulation.scheme().warnings());
   slip.names = watch.names();
   slip.mismatch = hourglass_share(simulation.particles(), simulation.particles().bodies()[0],
-                                    simulation.settings().materials.at("soft"));
+                                  simulation.settings().materials.at("soft"));
   const auto v = by_id(simulation.particles(), Field::velocity);
   for (std::size_t i = 0; i < v.size() / 2; ++i)
     slip.speed += (is_upper[2 * i + 1] ? 1.0 : -1.0) * v[2 * i] / (0.25 * static_cast<double>(v.size()) * slip_speed);
@@ -63,18 +64,22 @@ Simulation meeting_pieces(const std::string& contact) {
   constexpr int side = 10, gap = 5;
   auto particles = particles_on(
       Space::plane_strain,
-      {{"pieces", "metal", spacing, {0.0, 0.0}, {2 * side + gap, side}, {0.0, 0.0}, [](const double* x) {
-          return x[0] < (side - 0.5) * spacing || x[0] > (side + gap - 0.5) * spacing;
-        }}},
+      {{"pieces",
+        "metal",
+        spacing,
+        {0.0, 0.0},
+        {2 * side + gap, side},
+        {0.0, 0.0},
+        [](const double* x) { return x[0] < (side - 0.5) * spacing || x[0] > (side + gap - 0.5) * spacing; }}},
       density);
   for (std::size_t i = 0; i < particles.count(); ++i)
     particles.reals(Field::velocity)[2 * i] =
         particles.reals(Field::position)[2 * i] < (side + 0.5 * gap) * spacing ? 100.0 : -100.0;
-  auto simulation = simulation_of(
-      "time.end = 60e-6\nscheme.type = 'total-lagrangian'\n" + contact +
-          "[material.metal]\ndensity = 2785.0\neos = { model = 'linear', bulk_modulus = 79e9 }\n"
-          "strength = { model = 'elastic', shear_modulus = 27.6e9 }\n",
-      std::move(particles));
+  auto simulation =
+      simulation_of("time.end = 60e-6\nscheme.type = 'total-lagrangian'\n" + contact +
+                        "[material.metal]\ndensity = 2785.0\neos = { model = 'linear', bulk_modulus = 79e9 }\n"
+                        "strength = { model = 'elastic', shear_modulus = 27.6e9 }\n",
+                    std::move(particles));
   run_to_the_end(simulation);
   return simulation;
 }
@@ -84,7 +89,8 @@ Simulation meeting_pieces(const std::string& contact) {
 TEST_CASE("Reference configuration: layers that slip past each other stay bonded by it, and the run says so") {
   // What yield takes: (Y/√3) w t against the momentum of a layer.
   for (const double spacings : {2.0, 8.0}) {
-    const double slowed = 2.0 * soft_yield / std::sqrt(3.0) * spacings / (density * 0.5 * high * slip_speed * slip_speed);
+    const double slowed =
+        2.0 * soft_yield / std::sqrt(3.0) * spacings / (density * 0.5 * high * slip_speed * slip_speed);
     for (const std::string scheme :
          {"scheme.type = 'total-lagrangian'\n", "scheme = { type = 'total-lagrangian', hourglass_control = 0.1 }\n",
           "scheme = { type = 'adaptle', conversion = 'strain', conversion_strain = 0.5 }\n",
