@@ -128,8 +128,7 @@ TEST_CASE("Hourglass control: momentum and angular momentum are kept, and the en
   CHECK(sane);
   const double fine = drift(0.125, sane);
   CHECK(sane);
-  CHECK(coarse < 0.01);
-  CHECK(fine < 0.35 * coarse);
+  CHECK(fine < 0.3 * coarse);  // of second order at least
 }
 
 TEST_CASE("Hourglass control: gives the shortest waves the frequency that its energy asks for") {
@@ -151,7 +150,7 @@ TEST_CASE("Hourglass control: gives the shortest waves the frequency that its en
   }
 }
 
-TEST_CASE("Hourglass: a run whose neighbours slip past the kernels says so, and the control mends it") {
+TEST_CASE("Hourglass: a run that has zero-energy modes says so, and the control mends it") {
   Watch watch;
   const auto without = noisy_square(0.0, 2e-3);
   const auto warnings = watch.look(without.particles(), without.settings().materials, {});
@@ -160,6 +159,6 @@ TEST_CASE("Hourglass: a run whose neighbours slip past the kernels says so, and 
                    share_of(with), share_of(healthy)));
   REQUIRE(warnings.size() == 1);
   CHECK(warnings[0].name == "hourglass");
-  CHECK(watch.look(with.particles(), with.settings().materials, {}).empty());
-  CHECK(watch.look(healthy.particles(), healthy.settings().materials, {}).empty());
+  CHECK(Watch().look(with.particles(), with.settings().materials, {}).empty());
+  CHECK(Watch().look(healthy.particles(), healthy.settings().materials, {}).empty());
 }

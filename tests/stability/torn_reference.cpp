@@ -15,15 +15,13 @@ namespace {
 
 constexpr double spacing = 1e-3, density = 2785.0;
 
-/// Two layers of one body, the upper one moving along the lower one. The metal is so soft that it can hold up the
-/// layers by `soft_yield` alone.
+/// Two layers of one body, the upper one moving along the lower one; no viscosity of shear would let them slip.
 constexpr double soft_yield = 1e6, slip_speed = 100.0;
 constexpr int across = 30, high = 16;
 
 struct Slip {
-  double speed;     ///< of the upper layer against the lower one at the end, over that at the start
-  double mismatch;  ///< of bonds
-  std::string failure;
+  double speed;  ///< of the upper layer against the lower one at the end, over that at the start
+  double share;  ///< of the energy that kernels do not see
   std::set<std::string> names;
 };
 
@@ -42,17 +40,13 @@ Slip slipped(const std::string& scheme, double spacings) {
                   "strength = {{ model = 'perfectly-plastic', shear_modulus = 27.6e9, yield_stress = {} }}\n",
                   spacings * spacing / slip_speed, scheme, soft_yield),
       std::move(particles));
-  Slip slip{0.0, 0.0, {}, {}};
+  run_to_the_end(simulation);
+  Slip slip{0.0, 0.0, {}};
   Watch watch;
-  try {
-    run_to_the_end(simulation);
-  } catch (const RunError& fault) {
-    slip.failure = std::string(fault.what()).substr(0, std::string(fault.what()).find(':'));
-  }
   watch.look(simulation.particles(), simulation.settings().materials, simulation.scheme().warnings());
   slip.names = watch.names();
-  slip.mismatch = hourglass_share(simulation.particles(), simulation.particles().bodies()[0],
-                                  simulation.settings().materials.at("soft"));
+  slip.share = hourglass_share(simulation.particles(), simulation.particles().bodies()[0],
+                               simulation.settings().materials.at("soft"));
   const auto v = by_id(simulation.particles(), Field::velocity);
   for (std::size_t i = 0; i < v.size() / 2; ++i)
     slip.speed += (is_upper[2 * i + 1] ? 1.0 : -1.0) * v[2 * i] / (0.25 * static_cast<double>(v.size()) * slip_speed);
@@ -86,20 +80,24 @@ Simulation meeting_pieces(const std::string& contact) {
 
 }  // namespace
 
-TEST_CASE("Reference configuration: layers that slip past each other stay bonded by it, and the run says so") {
-  // What yield takes: (Y/√3) w t against the momentum of a layer.
-  for (const double spacings : {2.0, 8.0}) {
-    const double slowed =
-        2.0 * soft_yield / std::sqrt(3.0) * spacings / (density * 0.5 * high * slip_speed * slip_speed);
-    for (const std::string scheme :
-         {"scheme.type = 'total-lagrangian'\n", "scheme = { type = 'total-lagrangian', hourglass_control = 0.1 }\n",
-          "scheme = { type = 'adaptle', conversion = 'strain', conversion_strain = 0.5 }\n",
-          "scheme.type = 'eulerian'\n"}) {
-      const auto slip = slipped(scheme, spacings);
-      WARN(fmt::format("{}{} spacings: speed {:.3f} (yield alone: {:.3f}), mismatch {:.3f} {} {}", scheme, spacings,
-                       slip.speed, 1.0 - slowed, slip.mismatch, slip.failure, fmt::join(slip.names, " ")));
-    }
-  }
+TEST_CASE("Reference configuration: layers that slip past each other are no linear motion, and the run says so") {
+  // The soft metal lets the layers slip, so that what slows them is its yield stress, (Y/√3) w t against the momentum
+  // of a layer, and the smearing over a kernel. A control of zero-energy modes takes slip for one of them.
+  constexpr double spacings = 8.0;
+  const double slowed = 2.0 * soft_yield / std::sqrt(3.0) * spacings / (density * 0.5 * high * slip_speed * slip_speed);
+  const auto by = [&](const std::string& scheme) {
+    auto slip = slipped("scheme = { type = " + scheme + " }\n", spacings);
+    WARN(fmt::format("{}: speed {:.3f} (yield alone: {:.3f}), hourglass share {:.3f}", scheme, slip.speed, 1.0 - slowed,
+                     slip.share));
+    return slip;
+  };
+  const auto bonded = by("'total-lagrangian'"), held = by("'total-lagrangian', hourglass_control = 0.1"),
+             eulerian = by("'eulerian'");
+  CHECK(bonded.names.contains("hourglass"));
+  CHECK(held.names.contains("hourglass"));
+  CHECK(eulerian.names.empty());
+  CHECK(bonded.speed > eulerian.speed);
+  CHECK(held.speed < bonded.speed);
 }
 
 TEST_CASE("Reference configuration: pieces that cracks have parted run into each other, and the run says so") {
@@ -107,9 +105,10 @@ TEST_CASE("Reference configuration: pieces that cracks have parted run into each
     const auto simulation = meeting_pieces(contact);
     Watch watch;
     watch.look(simulation.particles(), simulation.settings().materials, simulation.scheme().warnings());
-    WARN(fmt::format("{}: {:.2f} too near", contact,
-                     interpenetrated_part(simulation.particles(), simulation.particles().bodies()[0],
-                                          simulation.settings().materials)));
+    WARN(fmt::format("{:.0f} % of the particles are too near {}",
+                     100.0 * interpenetrated_part(simulation.particles(), simulation.particles().bodies()[0],
+                                                  simulation.settings().materials),
+                     contact));
     CHECK(watch.names().contains("interpenetration") == contact.empty());
   }
 }
