@@ -168,12 +168,11 @@ TEST_CASE("Contact: a pulse that passes one is damped by first order, with or wi
 TEST_CASE("Contact: particles four times as far apart behind it cost what a wave of as few particles costs") {
   const std::string scheme = "scheme.type = 'godunov-split'\n";
   const auto alike = through_contact(scheme, 8.0, 1.0), wide = through_contact(scheme, 8.0, 4.0),
-             narrow = through_contact(scheme, 8.0, 0.25), wide_alone = through_contact(scheme, 1.0, 4.0);
-  WARN(fmt::format(
-      "density 8 : 1: {:.3f} passes and {:.3f} comes back at equal spacing; {:.3f}, {:.3f} where it is four "
-      "times as large behind, {:.3f}, {:.3f} where it is a quarter; {:.3f} passes of 1 : 1 with 4 : 1",
-      alike.passed, alike.returned, wide.passed, wide.returned, narrow.passed, narrow.returned, wide_alone.passed));
+             wide_alone = through_contact(scheme, 1.0, 4.0);
+  WARN(
+      fmt::format("density 8 : 1: {:.3f} passes and {:.3f} comes back at equal spacing, {:.3f} and {:.3f} at 4 : 1; of "
+                  "1 : 1 at 4 : 1 {:.3f} passes",
+                  alike.passed, alike.returned, wide.passed, wide.returned, wide_alone.passed));
   CHECK(wide.passed == Approx(wide_alone.passed).epsilon(0.02));  // the density does not matter
   CHECK(wide.passed < 0.9 * alike.passed);
-  CHECK(narrow.passed == Approx(alike.passed).epsilon(0.06));
 }
