@@ -11,7 +11,8 @@ int main(int argc, char** argv) {
     namespace po = boost::program_options;
     CommandLine line;
     line.usage =
-        "tektite-solve DIR [--resume] [--threads N]\n       tektite-solve --check FILE.h5 [--advice FILE]\n"
+        "tektite-solve DIR [--resume] [--threads N] [--trap-floating-point]\n       tektite-solve --check FILE.h5 "
+        "[--advice FILE]\n"
         "       tektite-solve --stability STUDY.toml -o DIR";
     line.about =
         "Computes the run whose initial particles are DIR/particles.h5; leaves DIR/snapshots/*.h5, DIR/history.csv,\n"
@@ -22,6 +23,8 @@ int main(int argc, char** argv) {
         "say what a run of these particles would do; compute nothing that is kept")(
         "advice", po::value<std::string>()->value_name("FILE"),
         "with --check: say what could be saved, and write the settings for it here")(
+        "trap-floating-point",
+        "end at the first division by zero, overflow or undefined result, and say where: for whoever writes a formula")(
         "stability", po::value<std::string>()->value_name("STUDY.toml"),
         "analyse how waves grow on lattices, as this study says")(
         "output,o", po::value<std::string>()->value_name("DIR"), "folder of the study");
@@ -45,7 +48,7 @@ int main(int argc, char** argv) {
     }
     if (!values.contains("folder")) throw InputError("the folder of the run is missing; see --help");
     const RunOptions options{values["folder"].as<std::string>(), values.contains("resume"), threads,
-                             values["lock"].as<int>()};
+                             values["lock"].as<int>(), values.contains("trap-floating-point")};
     return int{run(options) ? exit_done : exit_failed};
   });
 }

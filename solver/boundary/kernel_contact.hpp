@@ -82,7 +82,7 @@ class KernelContact {
     const double* mass = particles_.scalars(Field::mass);
     const double* stiffness = particles_.scalars(Field::contact_stiffness);
     const auto limit = [&](typename TimeStepLimit<D>::Least& least, std::size_t i) {
-      const double dt = courant * std::sqrt(2.0 * mass[i] / stiffness[i]);
+      const double dt = courant * std::sqrt(limit_of(2.0 * mass[i], stiffness[i]));
       if (dt < least.dt) least = {dt, i, StepLimit::contact};
     };
     return reduce(particles_.count(), typename TimeStepLimit<D>::Least{std::numeric_limits<double>::infinity()}, limit,

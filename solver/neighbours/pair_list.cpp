@@ -88,6 +88,7 @@ void build_block(PairList::Block& block, std::size_t end, const CellGrid<D>& gri
                  std::span<const std::uint32_t> body, std::span<const std::uint8_t> listed) {
   Candidates<D> near;
   std::size_t last_cell = grid.cells();
+  std::vector<std::uint32_t> neighbours;  // with room to spare, which the block does not keep
   std::size_t found = 0;
   block.first.assign(1, 0);
   for (std::size_t i = block.begin; i < end; ++i) {
@@ -101,12 +102,12 @@ void build_block(PairList::Block& block, std::size_t end, const CellGrid<D>& gri
     }
     near.template mark_near<pairing>(positions[i], reach, static_cast<std::uint32_t>(i), body[i]);
     const std::size_t room = found + near.index.size() + pack_width;
-    if (block.neighbours.size() < room) block.neighbours.resize(2 * room);
-    found += compress(near.index, near.mark, std::span(block.neighbours).subspan(found));
-    while (found % pack_width != 0) block.neighbours[found++] = static_cast<std::uint32_t>(i);
+    if (neighbours.size() < room) neighbours.resize(2 * room);
+    found += compress(near.index, near.mark, std::span(neighbours).subspan(found));
+    while (found % pack_width != 0) neighbours[found++] = static_cast<std::uint32_t>(i);
     block.first.push_back(static_cast<std::uint32_t>(found));
   }
-  block.neighbours.resize(found);
+  block.neighbours.assign(neighbours.begin(), neighbours.begin() + static_cast<std::ptrdiff_t>(found));
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ struct AcousticStepLimit {
   Motion motion;
 
   void operator()(Least& least, std::size_t i) const {
-    const double limit = courant * smoothing_length[i] / (wave_speed[i] + motion(i));
+    const double limit = limit_of(courant * smoothing_length[i], wave_speed[i] + motion(i));
     const double dt = density[i] > 0.0 && limit > 0.0 ? limit : 0.0;
     if (dt < least.dt) least = {dt, i, StepLimit::sound};
   }

@@ -103,8 +103,10 @@ struct ContactRates {
   struct Wave {
     Pack own, other, inverse;
 
-    Wave(const Pack& zi, const Pack& zj)
-        : own(zi), other(zj), inverse(select(zi + zj > Pack(0.0), Pack(1.0) / (zi + zj), Pack(0.0))) {}
+    Wave(const Pack& zi, const Pack& zj) : own(zi), other(zj) {
+      const auto carried = zi + zj > Pack(0.0);
+      inverse = select(carried, Pack(1.0) / select(carried, zi + zj, Pack(1.0)), Pack(0.0));
+    }
     Pack stress(const Pack& si, const Pack& sj, const Pack& closing) const {
       return (own * sj + other * si - own * other * closing) * inverse;
     }

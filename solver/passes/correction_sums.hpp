@@ -53,6 +53,7 @@ struct CorrectionSums {
   }
 
   void end(std::size_t i, const Sums& sums) const {
+    if (records[i].volume == 0.0) return;  // not read by anybody, and so not filled
     if (second) {
       for (int k = 0; k < D * D; ++k) moment[i].c[k] = sum(sums.moment.c[k]);
     } else {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "core/pack.hpp"
 #include "core/tensor_algebra.hpp"
 #include "passes/eulerian_record.hpp"
@@ -91,7 +93,8 @@ struct PairAxis {
   PairAxis(const Vector<Pack, D>& x, const Pack& inverse_h) {
     using std::experimental::sqrt;
     distance = sqrt(dot(x, x));
-    const Pack inverse = select(distance > Pack(0.0), Pack(1.0) / distance, Pack(0.0));
+    // 0/0 is avoided: where i meets itself, e is 0 times this.
+    const Pack inverse = Pack(1.0) / larger(distance, Pack(std::numeric_limits<double>::min()));
     for (int k = 0; k < D; ++k) e[k] = inverse * x[k];
     const Pack q = distance * inverse_h;
     Pack scale = inverse_h * Pack(Kernel::template normalisation<D>());

@@ -34,9 +34,9 @@ struct MotionRecord {
 /// products that stand here, and needs no correction of its neighbour.
 template <int D>
 struct StressRecord {
-  double density;                    ///< ρ
+  double density = 1.0;              ///< ρ; this and the stretch divide, also in a lane that holds no particle
   double sound_speed;                ///< c, bulk
-  double least_stretch;              ///< by which the viscosity's h has shrunk
+  double least_stretch = 1.0;        ///< by which the viscosity's h has shrunk
   Tensor<double, D> stress;          ///< V_0 P `matrix` with the first Piola-Kirchhoff stress P = J σ F⁻ᵀ, J
   Tensor<double, D> cofactor;        ///< J F⁻ᵀ `matrix`
   Vector<double, D> stress_shift;    ///< `stress` times `shift`; zero without correction

@@ -222,29 +222,13 @@ struct LagrangianForces
 
     // The gradient of the neighbour's kernel is that of -∇W: both signs are turned here.
     auto pull = times(gathered(r.stress, j, &Stress::stress), pair.slope);
-    auto bracket = times(gathered(r.stress, j, &Stress::cofactor), pair.slope);
-    bracket += times(a.cofactor, pair.slope);
-    if constexpr (corrected) {
-      pull += pair.value * gathered(r.stress, j, &Stress::stress_shift);
-      bracket += pair.value * (gathered(r.stress, j, &Stress::cofactor_shift) - a.cofactor_shift);
-    }
+    if constexpr (corrected) pull += pair.value * gathered(r.stress, j, &Stress::stress_shift);
     sums.pull += pull;
     sums.slope += volume * pair.slope;
     if constexpr (corrected) sums.value += volume * pair.value;
 
     const Number approach = select(volume * pair.value > Number(0.0), dot(v, x), Number(0.0));
-    const Number density = gathered(r.stress, j, &Stress::density);
-    const Number c = Number(0.5) * (a.sound_speed + gathered(r.stress, j, &Stress::sound_speed));
-    // Of the present configuration, as the places are: with h as it was at the start μ would grow as they come nearer.
-    const Number h = pair.h * (Number(0.5) * (a.stretch + gathered(r.stress, j, &Stress::least_stretch)));
-    const auto [pi, speed] = viscosity(approach, dot(x, x), h, c, Number(0.5) * (a.density + density));
-    // Where the deformation turns the gradients against the line between the particles, Π would drive them, not damp
-    // them.
-    const Number power = dot(v, bracket);
-    const Number damping = select(power > Number(0.0), volume * density * pi, Number(0.0));
-    sums.viscous += damping * bracket;
-    sums.heat += damping * power;
-    sums.signal = larger(sums.signal, speed);
+    if (any_of(approach < Number(0.0))) damp(a, pair, j, x, v, volume, approach, sums);
   }
 
   template <class Lanes>
@@ -266,6 +250,31 @@ struct LagrangianForces
                            0.5 * over_jacobian * lanes.sum(sums.viscous[k]);
     viscous_power[i] = 0.25 * over_jacobian * lanes.sum(sums.heat);
     viscous_signal[i] = lanes.largest(sums.signal);
+  }
+
+ private:
+  /// What the viscosity adds to a pair, nothing where it does not approach: most of what a pair costs, and pairs that
+  /// part, or rest, do so side by side.
+  [[gnu::always_inline]] void damp(const Self& a, const ReferencePair<Number, D>& pair, typename Records::Index j,
+                                   const Vector<Number, D>& x, const Vector<Number, D>& v, const Number& volume,
+                                   const Number& approach, Sums& sums) const {
+    const auto& r = this->records;
+    auto bracket = times(gathered(r.stress, j, &Stress::cofactor), pair.slope);
+    bracket += times(a.cofactor, pair.slope);
+    if constexpr (corrected)
+      bracket += pair.value * (gathered(r.stress, j, &Stress::cofactor_shift) - a.cofactor_shift);
+    const Number density = gathered(r.stress, j, &Stress::density);
+    const Number c = Number(0.5) * (a.sound_speed + gathered(r.stress, j, &Stress::sound_speed));
+    // Of the present configuration, as the places are: with h as it was at the start μ would grow as they come nearer.
+    const Number h = pair.h * (Number(0.5) * (a.stretch + gathered(r.stress, j, &Stress::least_stretch)));
+    const auto [pi, speed] = viscosity(approach, dot(x, x), h, c, Number(0.5) * (a.density + density));
+    // Where the deformation turns the gradients against the line between the particles, Π would drive them, not damp
+    // them.
+    const Number power = dot(v, bracket);
+    const Number damping = select(power > Number(0.0), volume * density * pi, Number(0.0));
+    sums.viscous += damping * bracket;
+    sums.heat += damping * power;
+    sums.signal = larger(sums.signal, speed);
   }
 };
 

@@ -191,6 +191,12 @@ struct MsphVelocity {
   }
 };
 
+/// The weight of those of the neighbours in j that are of particle i's material.
+inline Pack within(const double* material, std::size_t i, const std::uint32_t* j, const Pack& weight) {
+  const Pack other([&](auto lane) { return material[j[static_cast<std::size_t>(lane)]]; });
+  return select(other == Pack(material[i]), weight, Pack(0.0));
+}
+
 /// Conservative smoothing of the velocity, eq. 3.23, with weights that are the same for both of a pair: m_j w_ij times
 /// the mean of 1/Σ m w of both. So momentum is kept, and what the smoothing takes of the kinetic energy,
 ///   ½ α_cs Σ_j p_ij |v_j - v_i|² - ½ |Δv_i|²,
@@ -202,6 +208,7 @@ struct SmoothVelocity {
   const double* kernel_mass;  ///< of images too
   double share;               ///< α_cs
   const double* energy;       ///< J/kg, of images too
+  const double* material;     ///< a number for each, of images too: heat stays within a material
   Vector<double, D>* change;  ///< m/s
   double* heat;               ///< J/kg, before the change's own part is taken off
   double* exchange;           ///< energy from the neighbours, J/kg
@@ -228,7 +235,7 @@ struct SmoothVelocity {
     }
     sums.square += weight * dot(dv, dv);
     const Pack e([&](auto lane) { return energy[j[static_cast<std::size_t>(lane)]]; });
-    sums.energy += weight * (e - Pack(energy[a.i]));
+    sums.energy += within(material, a.i, j, weight) * (e - Pack(energy[a.i]));
   }
   void end(std::size_t i, const Sums& sums) const {
     for (int k = 0; k < D; ++k) change[i][k] = share * sum(sums.v[k]);
@@ -237,11 +244,13 @@ struct SmoothVelocity {
   }
 };
 
-/// Conservative smoothing of the density, eq. 3.23 as printed: weights W_ij m_j/ρ_j.
+/// Conservative smoothing of the density, eq. 3.23 as printed: weights W_ij m_j/ρ_j. Only within a material: across a
+/// contact the density jumps by itself.
 template <class Kernel, int D>
 struct SmoothDensity {
   MsphGather<D> gather;
-  const double* density;  ///< kg/m³, at the end of the step, of images too
+  const double* density;   ///< kg/m³, at the end of the step, of images too
+  const double* material;  ///< a number for each, of images too
   double share;
   double* smoothed;
 
@@ -254,7 +263,8 @@ struct SmoothDensity {
     using std::experimental::sqrt;
     const auto p = gather.pair(a, j);
     const Pack other([&](auto lane) { return density[j[static_cast<std::size_t>(lane)]]; });
-    const Pack weight = select(p.volume > Pack(0.0), Kernel::shape(sqrt(p.distance_squared)), Pack(0.0)) * p.volume;
+    const Pack near = select(p.volume > Pack(0.0), Kernel::shape(sqrt(p.distance_squared)), Pack(0.0)) * p.volume;
+    const Pack weight = within(material, a.i, j, near);
     sums.change += weight * (other - Pack(density[a.i]));
     sums.weight += weight;
   }

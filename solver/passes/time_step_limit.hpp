@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "core/tensor.hpp"
 
@@ -28,6 +29,9 @@ constexpr const char* name_of(StepLimit limit) {
   }
   return "";
 }
+
+/// a/b of a positive a; infinite, without a division by zero, where b is zero and nothing limits.
+inline double limit_of(double a, double b) { return b == 0.0 ? a + std::numeric_limits<double>::infinity() : a / b; }
 
 /// The stable time step of a particle and what sets it (Monaghan 1992):
 ///   C h / (c_l + 0.6 (α c + β |μ|max))   and   C √(h/|a|)
@@ -59,8 +63,8 @@ struct TimeStepLimit {
     const double h = smoothing_length[i];
     const double part = least_stretch ? std::min(courant, most_stretched * least_stretch[i]) : courant;
     const double viscous = 0.6 * (alpha * sound_speed[i] + beta * viscous_signal[i]);
-    const double signal = part * h / (wave_speed[i] + viscous);
-    const double force = courant * std::sqrt(h / norm(acceleration[i]));
+    const double signal = limit_of(part * h, wave_speed[i] + viscous);
+    const double force = courant * std::sqrt(limit_of(h, norm(acceleration[i])));
     const bool sane = density[i] > 0.0 && signal > 0.0 && force > 0.0;
     const double dt = sane ? (signal < force ? signal : force) : 0.0;
     if (dt < least.dt) {

@@ -3,6 +3,7 @@
 // A pass reads a member of wide_pack_width cells side by side with one load a number, by the names that it uses for
 // records that it gathers. All that it reads of the few rows near a particle then lies on a few pages of memory.
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -60,8 +61,17 @@ class TransposedRecords {
     return way(static_cast<std::ptrdiff_t>(cell / pitch_), static_cast<std::ptrdiff_t>(cell % pitch_));
   }
 
+  /// Every cell holds the first `numbers` numbers of a record of no particle behind its first `from` numbers.
+  template <class Record>
+  void empty(std::size_t from, std::size_t numbers) {
+    const Record nobody{};
+    const auto* const number = reinterpret_cast<const double*>(&nobody);
+    for (std::size_t row = 0; row < numbers_.size(); row += kept_ * pitch_)
+      for (std::size_t k = 0; k < numbers; ++k) std::fill_n(&numbers_[row + (from + k) * pitch_], pitch_, number[k]);
+  }
+
   /// Copies the first `numbers` numbers of the record of every cell that holds one behind the cell's first `from`
-  /// numbers; all others stay zero.
+  /// numbers; all others stay as they are.
   template <int D, class Record>
   void fill(const Lattice<D>& lattice, const std::vector<Record>& records, std::size_t from, std::size_t numbers) {
     static const Record nobody{};

@@ -20,6 +20,7 @@
 #include "output/probes.hpp"
 #include "output/progress.hpp"
 #include "output/summary.hpp"
+#include "run/floating_point_traps.hpp"
 #include "run/simulation.hpp"
 #include "run/watch.hpp"
 
@@ -249,6 +250,7 @@ bool run(const RunOptions& options) {
   if (!origin.snapshot)
     for (const auto& earlier : snapshot_files(options.folder)) fs::remove(earlier);
   watch_signals();
+  if (options.trap_floating_point) trap_floating_point();
   Run run(options.folder, origin, std::move(snapshot), std::move(settings));
   try {
     return run.to_the_end();

@@ -101,8 +101,8 @@ void check_stop_conditions(Document& document, const std::vector<StopCondition>&
   }
 }
 
-Passage::Passage(const StopCondition& condition, const Particles& start) {
-  direction_ = relative_mean(condition, start, Field::velocity);
+Passage::Passage(const StopCondition& condition, const Particles& start)
+    : direction_(relative_mean(condition, start, Field::velocity)) {
   const double speed = std::sqrt(dot(direction_, direction_));
   for (auto& component : direction_) component /= speed;
   const auto target = extent_along(start, body_named(start, condition.body), direction_);
@@ -158,7 +158,7 @@ bool Steadiness::steady(const StopCondition& condition, double time, double valu
 }
 
 StopConditions::StopConditions(const std::vector<StopCondition>& conditions, const Particles& start,
-                               std::vector<std::string> columns) {
+                               const std::vector<std::string>& columns) {
   for (const auto& condition : conditions) {
     watches_.push_back({condition, std::nullopt, {}, 0});
     if (is_passage(condition)) watches_.back().passage = Passage(condition, start);
@@ -168,7 +168,7 @@ StopConditions::StopConditions(const std::vector<StopCondition>& conditions, con
 }
 
 StopConditions::StopConditions(const std::vector<StopCondition>& conditions, const std::map<std::string, double>& state,
-                               std::vector<std::string> columns) {
+                               const std::vector<std::string>& columns) {
   for (const auto& condition : conditions) {
     watches_.push_back({condition, std::nullopt, {}, 0});
     if (is_passage(condition)) watches_.back().passage = Passage(condition, state);

@@ -69,10 +69,10 @@ class StopConditions {
  public:
   /// `columns` are those of the numbers that look() is given.
   StopConditions(const std::vector<StopCondition>& conditions, const Particles& start,
-                 std::vector<std::string> columns);
+                 const std::vector<std::string>& columns);
   /// From saved particles: `state` is what save() put there.
   StopConditions(const std::vector<StopCondition>& conditions, const std::map<std::string, double>& state,
-                 std::vector<std::string> columns);
+                 const std::vector<std::string>& columns);
   void save(std::map<std::string, double>& state) const;
 
   void look(double time, const Particles& particles, const std::vector<double>& numbers);

@@ -107,6 +107,7 @@ class LatticeBodies {
           has_hourglass(read.hourglass),
           of_stress(read.corrected ? of_corrected_stress : of_plain_stress),
           rows(lattice, of_reference + of_motion + of_stress + (has_hourglass ? of_hourglass : 0)) {
+      rows.template empty<StressRecord<D>>(of_reference + of_motion, of_stress);
       for (const auto& neighbour : lattice.neighbours()) {
         const KernelPair<Kernel, D> pair(broadcast(neighbour.x), Pack(h));
         auto slope = Vector<double, D>::zero();

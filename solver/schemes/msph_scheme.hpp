@@ -49,6 +49,7 @@ class MsphScheme final : public Scheme {
   void restore(const std::map<std::string, double>& state) override {
     allocate_scratch();
     neighbourhood_.restore(state);
+    answered_ = state.at("particle_steps");
     lower_order_ = {state.at("first_order_particle_steps"), state.at("zeroth_order_particle_steps")};
     assemble();
   }
@@ -56,6 +57,7 @@ class MsphScheme final : public Scheme {
     neighbourhood_.save(state);
     state["first_order_particle_steps"] = lower_order_.first;
     state["zeroth_order_particle_steps"] = lower_order_.second;
+    state["particle_steps"] = answered_;
   }
 
   void step(double dt) override {
@@ -103,7 +105,8 @@ class MsphScheme final : public Scheme {
            coefficients_.capacity() * sizeof(MsphCoefficients<D>) +
            (lopsidedness_.capacity() + divergence_.capacity() + fitted_.capacity()) * sizeof(Vector<double, D>) +
            (kernel_mass_.capacity() + radial_part_.capacity() + across_.capacity() + heat_.capacity() +
-            exchange_.capacity() + energies_.capacity() + densities_.capacity() + smoothed_.capacity()) *
+            exchange_.capacity() + energies_.capacity() + densities_.capacity() + smoothed_.capacity() +
+            material_.capacity()) *
                sizeof(double);
   }
 
@@ -141,6 +144,20 @@ class MsphScheme final : public Scheme {
                                  nullptr, nullptr, 0.0, p.scalars(Field::smoothing_length), records_.data()});
     });
     neighbourhood_.mirror().fill(records_, p.count());
+    number_materials();
+  }
+
+  /// The same number for all bodies of a material.
+  void number_materials() {
+    material_.resize(particles_.count());
+    const auto& bodies = particles_.bodies();
+    for (const auto& body : bodies) {
+      const auto first = std::ranges::find(bodies, body.material, &Body::material);
+      std::fill(material_.begin() + static_cast<std::ptrdiff_t>(body.range.begin),
+                material_.begin() + static_cast<std::ptrdiff_t>(body.range.end),
+                static_cast<double>(first - bodies.begin()));
+    }
+    neighbourhood_.mirror().repeat(material_);
   }
 
   /// B of every particle, inverted; surfaces, with what they do to the stress.
@@ -228,7 +245,7 @@ class MsphScheme final : public Scheme {
     neighbourhood_.mirror().repeat(energies_);
     for_each_pair(neighbourhood_.pairs(),
                   SmoothVelocity<Kernel, D>{gather(), kernel_mass_.data(), settings_.smoothing_share, energies_.data(),
-                                            divergence_.data(), heat_.data(), exchange_.data()});
+                                            material_.data(), divergence_.data(), heat_.data(), exchange_.data()});
     neighbourhood_.mirror().hold(divergence_.data());
     run_all(MsphApplySmoothing<D>{divergence_.data(), heat_.data(), exchange_.data(), held_.data(), anvil_.axis(),
                                   p.template vectors<D>(Field::velocity), p.scalars(Field::specific_internal_energy),
@@ -282,8 +299,8 @@ class MsphScheme final : public Scheme {
     const auto density = particles_.reals(Field::density);
     densities_.assign(density.begin(), density.end());
     neighbourhood_.mirror().repeat(densities_);
-    for_each_pair(neighbourhood_.pairs(),
-                  SmoothDensity<Kernel, D>{gather(), densities_.data(), settings_.smoothing_share, smoothed_.data()});
+    for_each_pair(neighbourhood_.pairs(), SmoothDensity<Kernel, D>{gather(), densities_.data(), material_.data(),
+                                                                   settings_.smoothing_share, smoothed_.data()});
     std::ranges::copy(smoothed_, density.begin());
   }
 
@@ -302,7 +319,8 @@ class MsphScheme final : public Scheme {
   std::pair<double, double> lower_order_{0.0, 0.0};  ///< particle steps by first and by zeroth order
   std::vector<EulerianRecord<D>> records_;
   std::vector<MsphCoefficients<D>> coefficients_;
-  std::vector<double> kernel_mass_, radial_part_, across_, heat_, exchange_, energies_, densities_, smoothed_;
+  std::vector<double> kernel_mass_, radial_part_, across_, heat_, exchange_, energies_, densities_, smoothed_,
+      material_;
   std::vector<Vector<double, D>> lopsidedness_, divergence_, fitted_;
   std::vector<std::uint8_t> held_;
 };

@@ -71,11 +71,12 @@ SchemeSettings read_scheme(Section& root, const Scene& scene) {
   const bool adaptle = settings.type == "adaptle", eulerian = settings.type == "eulerian";
   const bool split = settings.type == "godunov-split";
   const bool lagrangian = adaptle || settings.type == "total-lagrangian";
-  std::vector<std::string> corrections{lagrangian ? "mixed" : "none"};  // the first one where none is named
+  std::vector<std::string> corrections{lagrangian ? "mixed" : "none"};
   if (lagrangian) corrections.emplace_back("none");
   if (eulerian || split) corrections.emplace_back("mixed");
   if (adaptle) corrections.emplace_back("reference");  // of what is total-Lagrangian alone
-  const auto correction = section.choice("correction", corrections, corrections.front());
+  // Eulerian fragments of a few particles blow up with corrected gradients: nobody gets those unasked.
+  const auto correction = section.choice("correction", corrections, adaptle ? "reference" : corrections.front());
   settings.corrected = lagrangian && correction != "none";
   settings.corrected_eulerian = (eulerian || adaptle || split) && correction == "mixed";
   if (settings.corrected_eulerian && section.has("correction_limit"))

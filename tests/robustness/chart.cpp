@@ -130,6 +130,8 @@ TEST_CASE("Chart: a wrong study is refused with its place before anything is run
   CHECK_THAT(refused("factor = 2", "factors = 2"), Contains("resolutions[0]"));
   CHECK_THAT(refused("error_l1_pulse", "error_l1"), Contains("study.toml:6") && Contains("error_l1_pulse"));
   CHECK_THAT(refused("[line.viscous]", "[line.viscous]\nvariant = 'soft'"), Contains("no such variant"));
+  CHECK_THAT(refused("name = \"tiny\"", "name = \"../tiny\""), Contains("names files, so it must be plain"));
+  CHECK_THAT(refused("[line.viscous]", "[line.\"a b\"]"), Contains("line.a b") && Contains("so it must be plain"));
   CHECK_THAT(refused("scene.toml", "other.toml"), Contains("other.toml") && Contains("cannot be opened"));
   CHECK_THAT(place.chart({"study.toml", "--jobs", "0"}).faults, Contains("--jobs"));
   CHECK_THAT(place.chart({"none.toml"}).faults, Contains("none.toml"));

@@ -79,6 +79,7 @@ TEST_CASE("Front: what a command line lacks, and what is too much in it, is told
       {{"postprocess", "--chart", "study.toml"}, "--chart needs the folder"},
       {{"postprocess", "--page", "one"}, "--page needs the file"},
       {{"postprocess", "one", "two"}, "one folder at a time"},
+      {{"compute"}, "unknown command \"compute\""},
   };
   for (const auto& wrong : table) {
     const auto outcome = place.tektite(wrong.words);

@@ -24,11 +24,11 @@ struct CubicSpline {
     return select(q < T(1.0), T(1.0) + q * q * (T(0.75) * q - T(1.5)), T(0.25) * rest * rest * rest);
   }
 
-  /// w'(q)/q
+  /// w'(q)/q; divided by no q of the other branch, which may be zero
   template <class T>
   static T slope_over_q(const T& q) {
     const T rest = T(2.0) - q;
-    return select(q < T(1.0), T(2.25) * q - T(3.0), T(-0.75) * rest * rest / q);
+    return select(q < T(1.0), T(2.25) * q - T(3.0), T(-0.75) * rest * rest / larger(q, T(1.0)));
   }
 
   /// w'(q), without a division

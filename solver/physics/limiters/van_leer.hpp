@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 
 #include "physics/limiters/agreeing.hpp"
 #include "physics/model.hpp"
@@ -15,7 +16,7 @@ struct VanLeerLimiter {
   template <class T>
   T operator()(const T& a, const T& b) const {
     const T p = magnitude(a), q = magnitude(b);
-    return agreeing(a, b, T(2.0) * p * (q / (p + q)));
+    return agreeing(a, b, T(2.0) * p * (q / larger(p + q, T(std::numeric_limits<double>::min()))));
   }
 };
 

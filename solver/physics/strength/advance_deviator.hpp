@@ -77,14 +77,13 @@ double plastic_increment(const Model& model, double trial, double yield, const F
     constexpr int most = 60;
     constexpr double farthest = 5.0;  // steps of ln Δε
     double low = 0.0, high = increment;
+    const auto flow = model.flow_in(dt, before);
     for (int k = 0; k < most; ++k) {
-      const FlowState after{before.plastic_strain + increment, increment / dt, before.temperature, before.pressure,
-                            before.damage};
-      const double excess = trial - stiffness * increment - model.flow_stress(after);
+      const auto [stress, slope] = flow(increment);
+      const double excess = trial - stiffness * increment - stress;
       if (std::abs(excess) <= 1e-12 * trial) break;
       (excess > 0.0 ? low : high) = increment;
-      const double slope = (stiffness + model.flow_slope(after, dt)) * increment;
-      increment *= std::exp(std::clamp(excess / slope, -farthest, farthest));
+      increment *= std::exp(std::clamp(excess / ((stiffness + slope) * increment), -farthest, farthest));
       if (!(increment > low && increment < high)) increment = low > 0.0 ? std::sqrt(low * high) : 0.1 * high;
     }
   }

@@ -24,7 +24,11 @@ struct IsotropicHardening {
                      "plastic modulus E_p"}};
   }
   double flow_stress(const FlowState& state) const { return yield_stress + plastic_modulus * state.plastic_strain; }
-  double flow_slope(const FlowState&, double) const { return plastic_modulus; }
+  auto flow_in(double, const FlowState& before) const {
+    return [*this, before](double increment) {
+      return Flow{yield_stress + plastic_modulus * (before.plastic_strain + increment), plastic_modulus};
+    };
+  }
 };
 
 }  // namespace tektite

@@ -44,18 +44,22 @@ struct JohnsonCook {
                      "part χ of the plastic work that heats", 0.9}};
   }
 
-  double flow_stress(const FlowState& state) const { return hardening(state) * rating(state) * softening(state); }
-  double flow_slope(const FlowState& state, double step) const {
-    const double strain = state.plastic_strain;
-    double slope = strain > 0.0 ? b * n * std::pow(strain, n) / strain * rating(state) : 0.0;
-    if (state.plastic_strain_rate > reference_rate) slope += hardening(state) * c / (state.plastic_strain_rate * step);
-    return slope * softening(state);
+  double flow_stress(const FlowState& state) const {
+    return (a + hardening(state.plastic_strain)) * rating(state.plastic_strain_rate) * softening(state);
+  }
+  /// Powers are most of what plastic flow costs: each is taken once.
+  auto flow_in(double step, const FlowState& before) const {
+    return [*this, step, strain = before.plastic_strain, soft = softening(before)](double increment) {
+      const double rate = increment / step, hard = hardening(strain + increment), rated = rating(rate);
+      const double by_rate = rate > reference_rate ? (a + hard) * c / increment : 0.0;
+      return Flow{(a + hard) * rated * soft, (n * hard / (strain + increment) * rated + by_rate) * soft};
+    };
   }
 
  private:
-  double hardening(const FlowState& state) const { return a + b * std::pow(state.plastic_strain, n); }
-  double rating(const FlowState& state) const {
-    const double rate = state.plastic_strain_rate / reference_rate;
+  double hardening(double strain) const { return b * std::pow(strain, n); }
+  double rating(double plastic_strain_rate) const {
+    const double rate = plastic_strain_rate / reference_rate;
     return rate > 1.0 ? 1.0 + c * std::log(rate) : 1.0;
   }
   double softening(const FlowState& state) const {

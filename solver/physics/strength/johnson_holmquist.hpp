@@ -45,16 +45,19 @@ struct JohnsonHolmquist {
         Parameter<M>{"reference_rate", &M::reference_rate, dimension::rate, limits::positive, "reference rate", 1.0}};
   }
 
-  double flow_stress(const FlowState& state) const {
-    const double rate = state.plastic_strain_rate / reference_rate;
-    return strength(state) * (rate > 1.0 ? 1.0 + c * std::log(rate) : 1.0);
-  }
-  double flow_slope(const FlowState& state, double step) const {
-    if (!(state.plastic_strain_rate > reference_rate)) return 0.0;
-    return strength(state) * c / (state.plastic_strain_rate * step);
+  double flow_stress(const FlowState& state) const { return strength(state) * rating(state.plastic_strain_rate); }
+  auto flow_in(double step, const FlowState& before) const {
+    return [*this, step, at_rest = strength(before)](double increment) {
+      const double rate = increment / step;
+      return Flow{at_rest * rating(rate), rate > reference_rate ? at_rest * c / increment : 0.0};
+    };
   }
 
  private:
+  double rating(double plastic_strain_rate) const {
+    const double rate = plastic_strain_rate / reference_rate;
+    return rate > 1.0 ? 1.0 + c * std::log(rate) : 1.0;
+  }
   double strength(const FlowState& state) const {
     return state.damage < 1.0 ? intact_strength(state.pressure)
                               : std::clamp(failed_slope * state.pressure, 0.0, failed_strength);

@@ -5,6 +5,7 @@
 #include "advice/reach.hpp"
 #include "advice/symmetry.hpp"
 #include "advice/thickness.hpp"
+#include "advice/viscosity.hpp"
 #include "support/lattice.hpp"
 
 using namespace tektite;
@@ -120,6 +121,27 @@ TEST_CASE("Advice: particles through a plate, a tilted row's end and a plate beh
   const double ball = particles_through(particles, particles.bodies()[0], {});
   CHECK(ball >= 4.0);  // seven across its middle, fewer beside it
   CHECK(ball <= 7.0);
+}
+
+TEST_CASE("Advice: artificial viscosity is named where it bears more than the flow stress", "[advice]") {
+  const auto lines = [](double alpha, const std::string& strength) {
+    const auto settings = settings_of(
+        "space = 'plane-strain'\nviscosity.alpha = " + std::to_string(alpha) +
+        "\n[material.metal]\ndensity = 2785.0\n"
+        "eos = { model = 'mie-grueneisen', bulk_sound_speed = 5328.0, hugoniot_slope = 1.338, grueneisen = 2.0 }\n"
+        "strength = " +
+        strength + "\n[body.ball]\nmaterial = 'metal'\n[body.plate]\nmaterial = 'metal'\n[time]\nend = '10 us'\n");
+    const Lattice ball{"ball", "metal", 1e-3, {-10.5e-3, -4.5e-3}, {10, 10}, {1000.0, 0.0}};
+    const Lattice plate{"plate", "metal", 1e-3, {0.5e-3, -9.5e-3}, {20, 20}, {0.0, 0.0}};
+    const auto particles = test::particles_on(Space::plane_strain, {ball, plate}, 2785.0);
+    return viscous_strengths(particles, settings, meetings(particles, settings.materials));
+  };
+  const std::string plastic = "{ model = 'perfectly-plastic', shear_modulus = '27.6 GPa', yield_stress = '0.7 GPa' }";
+  // 3 α ρ c h/8 · V/d with h = 1.4 mm, V = 1000 m/s and d = 10 mm: 0.779 GPa.
+  CHECK(lines(1.0, plastic).size() == 2);
+  CHECK(lines(1.0, plastic).front().find("0.78 GPa") != std::string::npos);
+  CHECK(lines(0.85, plastic).empty());
+  CHECK(lines(1.0, "{ model = 'elastic', shear_modulus = '27.6 GPa' }").empty());
 }
 
 TEST_CASE("Advice: what waves do not reach is found, with room for the fastest of them", "[advice]") {

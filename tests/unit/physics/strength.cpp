@@ -75,7 +75,7 @@ TEST_CASE("Strengths: what flows plastically lies on the yield surface", "[stren
   });
 }
 
-TEST_CASE("Strengths: the flow slope is the derivative of the flow stress along a step", "[strength]") {
+TEST_CASE("Strengths: flow and slope along a step are those of the flow stress", "[strength]") {
   for_each_sample<Strength>([](const auto& model) {
     using Model = std::decay_t<decltype(model)>;
     if constexpr (Model::kind.hardens) {
@@ -90,8 +90,9 @@ TEST_CASE("Strengths: the flow slope is the derivative of the flow stress along 
         const double increment = random.magnitude(1e-6, 0.1), change = 1e-5 * increment;
         const double difference =
             model.flow_stress(after(increment + change)) - model.flow_stress(after(increment - change));
-        REQUIRE(model.flow_slope(after(increment), dt) ==
-                Approx(difference / (2.0 * change)).epsilon(1e-5).margin(1e-6 * model.shear_modulus));
+        const Flow flow = model.flow_in(dt, before)(increment);
+        REQUIRE(flow.stress == Approx(model.flow_stress(after(increment))).epsilon(1e-14));
+        REQUIRE(flow.slope == Approx(difference / (2.0 * change)).epsilon(1e-5).margin(1e-6 * model.shear_modulus));
       }
     }
   });

@@ -1,0 +1,64 @@
+#include "advice/viscosity.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+#include "advice/thickness.hpp"
+
+namespace tektite {
+namespace {
+
+/// At the beginning of plastic flow at this rate; nothing where the material does not flow, or bears what the pressure
+/// lets it bear.
+std::optional<double> flow_stress(const Material& material, double rate) {
+  return std::visit(
+      [rate]<class Model>(const Model& model) -> std::optional<double> {
+        if constexpr (Model::kind.yields && !Model::kind.crushes) {
+          FlowState state;
+          state.plastic_strain_rate = rate;
+          if constexpr (requires { model.room_temperature; }) state.temperature = model.room_temperature;
+          return model.flow_stress(state);
+        } else {
+          return std::nullopt;
+        }
+      },
+      material.strength);
+}
+
+}  // namespace
+
+std::vector<std::string> viscous_strengths(const Particles& particles, const RunSettings& settings,
+                                           const std::vector<Meeting>& meetings) {
+  const auto* viscosity = std::get_if<MonaghanViscosity>(&settings.scheme.viscosity);
+  const bool used = settings.scheme.type == "eulerian" || settings.scheme.type == "total-lagrangian" ||
+                    settings.scheme.type == "adaptle";
+  const int dimensions = particles.dimensions();
+  std::vector<std::string> lines;
+  if (!used || !viscosity || dimensions == 1) return lines;
+  const auto thickness = [&](const Body& body) {
+    return body.spacing * particles_through(particles, body, settings.scene.symmetry);
+  };
+  for (const auto& meeting : meetings) {
+    const double rate = meeting.closing_speed / std::min(thickness(*meeting.first), thickness(*meeting.second));
+    for (const Body* body : {meeting.first, meeting.second}) {
+      const auto& material = settings.materials.at(body->material);
+      const auto flow = flow_stress(material, rate);
+      if (!flow) continue;
+      const double h = particles.reals(Field::smoothing_length)[body->range.begin];
+      const double sound = std::sqrt(bulk_modulus_of(material) / material.density);
+      const double viscous =
+          3.0 * viscosity->alpha * material.density * sound * h / (dimensions == 2 ? 8.0 : 10.0) * rate;
+      if (viscous <= *flow) continue;
+      lines.push_back(fmt::format(
+          "{}: where it flows at the closing speed over the thinner body, {:.1e} /s, the artificial viscosity "
+          "bears some {:.2g} GPa, more than the flow stress of {:.2g} GPa, and slows penetration as a "
+          "strength would; a finer spacing or a smaller viscosity.alpha ({:.1g} makes both equal) lowers it",
+          body->name, rate, 1e-9 * viscous, 1e-9 * *flow, viscosity->alpha * *flow / viscous));
+    }
+  }
+  return lines;
+}
+
+}  // namespace tektite

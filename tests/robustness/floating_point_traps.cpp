@@ -1,0 +1,54 @@
+// tektite-solve --trap-floating-point: the first number that is not finite ends the run where it comes from.
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "robustness/small_run.hpp"
+
+namespace {
+
+using namespace tektite::test;
+using Catch::Matchers::Contains;
+
+/// Two plates that meet so fast, without viscosity, that the Hugoniot of their metal has no answer.
+constexpr const char* squeezed = R"(name = 'squeezed'
+space = 'line'
+spacing = '1 mm'
+viscosity = { model = 'monaghan', alpha = 0.0, beta = 0.0 }
+
+[material.metal]
+density = '2785 kg/m3'
+eos = { model = 'mie-grueneisen', bulk_sound_speed = '5328 m/s', hugoniot_slope = 1.5, grueneisen = 2.0 }
+
+[body.left]
+material = 'metal'
+shape = { type = 'segment', lower = '-10 mm', upper = 0 }
+velocity = ['100 km/s']
+
+[body.right]
+material = 'metal'
+shape = { type = 'segment', lower = 0, upper = '10 mm' }
+
+[time]
+end = '1 us'
+)";
+
+TEST_CASE("Floating-point traps: the run ends at the first undefined number and says where it came from") {
+  const TemporaryFolder folder;
+  std::ofstream(folder.file("scene.toml")) << squeezed;
+  const auto filled = run_in(folder.path(), {stage_program("preprocess"), "scene.toml", "-o", "particles.h5"});
+  INFO(filled.faults);
+  REQUIRE(filled.code == 0);
+  const auto untrapped = run_in(folder.path(), {stage_program("solve"), ".", "--threads", "1"});
+  INFO(untrapped.faults);
+  CHECK(untrapped.code == 1);
+  CHECK_THAT(untrapped.faults, Contains("the state is no longer sane"));
+  const auto trapped = run_in(folder.path(), {stage_program("solve"), ".", "--trap-floating-point", "--threads", "1"});
+  INFO(trapped.faults);
+  CHECK(trapped.code == 1);
+  CHECK_THAT(trapped.faults, Contains("tektite-solve: error: ") && Contains("of floating-point numbers; where") &&
+                                 Contains("tektite-solve("));
+}
+
+}  // namespace

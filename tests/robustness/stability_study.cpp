@@ -1,0 +1,57 @@
+// tektite stability as a user meets it: a wrong study is refused with its place, and a part without an answer is told.
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "support/program.hpp"
+
+namespace {
+
+using Catch::Matchers::Contains;
+using tektite::test::Outcome;
+using tektite::test::run_in;
+using tektite::test::TemporaryFolder;
+
+const std::string study = R"(name = "tiny"
+scene = "scene.toml"
+stress = { least = "-1 GPa", largest = "1 GPa", count = 2 }
+ratio = { least = 1.0, largest = 1.5, count = 2 }
+waves = 1
+shown = { stress = "1 GPa", ratio = 1.4 }
+material = "aluminium"
+[line.eulerian]
+)";
+
+/// The study with `now` in place of `old`.
+Outcome changed(const std::string& old, const std::string& now) {
+  const TemporaryFolder folder;
+  std::filesystem::copy(std::string(WRONG_SCENES) + "/base.toml", folder.file("scene.toml"));
+  auto wrong = study;
+  wrong.replace(wrong.find(old), old.size(), now);
+  std::ofstream(folder.file("study.toml")) << wrong;
+  return run_in(folder.path(), {TEKTITE_PROGRAM, "stability", "study.toml"});
+}
+
+std::string refused(const std::string& old, const std::string& now) {
+  const auto outcome = changed(old, now);
+  CHECK(outcome.code == 2);
+  return outcome.faults;
+}
+
+TEST_CASE("Stability study: a wrong one is refused with its place") {
+  CHECK_THAT(refused("tiny", "../tiny"), Contains("study.toml:1: name") && Contains("so it must be plain"));
+  CHECK_THAT(refused("\"1 GPa\", count", "\"-1 GPa\", count"),
+             Contains("study.toml:3: stress.largest") && Contains("is not above least (allowed: a larger value)"));
+  CHECK_THAT(refused("line.eulerian", "line.\"a b\""), Contains("line.a b: names columns, so it must be plain"));
+  CHECK_THAT(refused("[line.eulerian]", ""), Contains("there is nothing to analyse (allowed: [line.NAME])"));
+}
+
+TEST_CASE("Stability study: a stress that the equation of state does not reach has no answer, and others have") {
+  const auto outcome = changed("-1 GPa", "-1e9 GPa");
+  CHECK(outcome.code == 0);
+  CHECK_THAT(outcome.output,
+             Contains("no answer for") && Contains("the equation of state of aluminium does not reach it"));
+}
+
+}  // namespace
