@@ -48,6 +48,11 @@ Handle text_type(std::size_t length) {
   return type;
 }
 
+/// How faults name an attribute.
+std::string part_of(const std::string& object, const std::string& attribute) {
+  return (object == "/" ? "/@" : object + "/@") + attribute;
+}
+
 InputError broken(const std::string& path, const std::string& part, const std::string& reason) {
   return InputError({{path, 0}, part, {}, reason, "a particle file of tektite, whole"});
 }
@@ -102,7 +107,7 @@ void Writer::attribute(const std::string& object, const std::string& name, const
                                            H5P_DEFAULT, H5P_DEFAULT),
                          H5Aclose);
   if (!attribute.valid() || H5Awrite(attribute.id(), type.id(), value.empty() ? "\0" : value.data()) < 0)
-    throw RunError(fmt::format("{}: {}/@{} cannot be written", path_, object, name));
+    throw RunError(fmt::format("{}: {} cannot be written", path_, part_of(object, name)));
 }
 
 void Writer::attribute(const std::string& object, const std::string& name, double value) {
@@ -111,7 +116,7 @@ void Writer::attribute(const std::string& object, const std::string& name, doubl
                                            H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
                          H5Aclose);
   if (!attribute.valid() || H5Awrite(attribute.id(), H5T_NATIVE_DOUBLE, &value) < 0)
-    throw RunError(fmt::format("{}: {}/@{} cannot be written", path_, object, name));
+    throw RunError(fmt::format("{}: {} cannot be written", path_, part_of(object, name)));
 }
 
 void Writer::attribute(const std::string& object, const std::string& name, std::int64_t value) {
@@ -120,7 +125,7 @@ void Writer::attribute(const std::string& object, const std::string& name, std::
                                            H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
                          H5Aclose);
   if (!attribute.valid() || H5Awrite(attribute.id(), H5T_NATIVE_INT64, &value) < 0)
-    throw RunError(fmt::format("{}: {}/@{} cannot be written", path_, object, name));
+    throw RunError(fmt::format("{}: {} cannot be written", path_, part_of(object, name)));
 }
 
 void Writer::close() {
@@ -203,9 +208,9 @@ std::string Reader::text(const std::string& name) const {
 
 Handle Reader::value_attribute(const std::string& object, const std::string& name) const {
   Handle attribute(H5Aopen_by_name(file_.id(), object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-  if (!attribute.valid()) throw broken(path_, object + "/@" + name, "is missing");
+  if (!attribute.valid()) throw broken(path_, part_of(object, name), "is missing");
   const Handle space(H5Aget_space(attribute.id()), H5Sclose);
-  if (H5Sget_simple_extent_npoints(space.id()) != 1) throw broken(path_, object + "/@" + name, "is no single value");
+  if (H5Sget_simple_extent_npoints(space.id()) != 1) throw broken(path_, part_of(object, name), "is no single value");
   return attribute;
 }
 
@@ -215,10 +220,11 @@ std::string Reader::text_attribute(const std::string& object, const std::string&
   constexpr std::size_t longest = 1 << 16;
   if (H5Tget_class(stored.id()) != H5T_STRING || H5Tis_variable_str(stored.id()) > 0 ||
       H5Tget_size(stored.id()) > longest)
-    throw broken(path_, object + "/@" + name, "is no text of a sensible length");
+    throw broken(path_, part_of(object, name), "is no text of a sensible length");
   std::string value(H5Tget_size(stored.id()), '\0');
   const auto type = text_type(value.size());
-  if (H5Aread(attribute.id(), type.id(), value.data()) < 0) throw broken(path_, object + "/@" + name, "cannot be read");
+  if (H5Aread(attribute.id(), type.id(), value.data()) < 0)
+    throw broken(path_, part_of(object, name), "cannot be read");
   value.resize(std::min(value.find('\0'), value.size()));
   return value;
 }
@@ -226,7 +232,8 @@ std::string Reader::text_attribute(const std::string& object, const std::string&
 double Reader::real_attribute(const std::string& object, const std::string& name) const {
   const auto attribute = value_attribute(object, name);
   double value = 0.0;
-  if (H5Aread(attribute.id(), H5T_NATIVE_DOUBLE, &value) < 0) throw broken(path_, object + "/@" + name, "is no number");
+  if (H5Aread(attribute.id(), H5T_NATIVE_DOUBLE, &value) < 0)
+    throw broken(path_, part_of(object, name), "is no number");
   return value;
 }
 
@@ -234,7 +241,7 @@ std::int64_t Reader::integer_attribute(const std::string& object, const std::str
   const auto attribute = value_attribute(object, name);
   std::int64_t value = 0;
   if (H5Aread(attribute.id(), H5T_NATIVE_INT64, &value) < 0)
-    throw broken(path_, object + "/@" + name, "is no whole number");
+    throw broken(path_, part_of(object, name), "is no whole number");
   return value;
 }
 

@@ -1,10 +1,10 @@
 #include "run/hourglass_share.hpp"
 
-#include "core/kernel_type.hpp"
 #include "core/tensor_algebra.hpp"
 #include "core/tensor_product.hpp"
 #include "neighbours/cell_grid.hpp"
 #include "parallel/reduce.hpp"
+#include "run/lagrangian.hpp"
 
 namespace tektite {
 namespace {
@@ -27,11 +27,10 @@ class Bonds {
         shear_modulus_(shear_modulus),
         bulk_modulus_(bulk_modulus),
         longest_(reach * body.spacing) {
-    const auto types = particles.integers(Field::kernel_type);
     const double* damage = optional(Field::damage);
     for (auto i = body.range.begin; i < body.range.end; ++i) {
       const bool failed = damage && damage[i] >= 1.0;
-      if (failed || types[i] != static_cast<std::int64_t>(KernelType::total_lagrangian)) continue;
+      if (failed || !is_lagrangian(particles, i)) continue;
       members_.push_back(i);
       reference_.push_back(particles.vectors<D>(Field::reference_position)[i]);
     }

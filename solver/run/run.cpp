@@ -167,7 +167,7 @@ class Run {
 
   void look() {
     for (const auto& warning :
-         watch_.look(simulation_.particles(), simulation_.settings().materials, simulation_.scheme().warnings()))
+         watch_.look(simulation_.particles(), simulation_.settings(), simulation_.scheme().warnings()))
       log_->warn("warning: {}: {}", warning.name, warning.text);
   }
 

@@ -4,16 +4,11 @@
 #include <cmath>
 #include <vector>
 
-#include "core/kernel_type.hpp"
 #include "neighbours/cell_grid.hpp"
+#include "run/lagrangian.hpp"
 
 namespace tektite {
 namespace {
-
-bool is_lagrangian(const Particles& particles, std::size_t i) {
-  return particles.has(Field::reference_position) &&
-         particles.integers(Field::kernel_type)[i] == static_cast<std::int64_t>(KernelType::total_lagrangian);
-}
 
 /// Particles with the distance below which another one is too near.
 template <int D>

@@ -3,47 +3,83 @@
 #include <fmt/format.h>
 
 #include "run/hourglass_share.hpp"
+#include "run/misfit.hpp"
 #include "run/too_near.hpp"
+#include "run/wall_heating.hpp"
 
 namespace tektite {
+namespace {
 
-bool Watch::is_new(const std::string& name, const std::string& body) {
-  names_.insert(name);
-  return told_.insert(name + ' ' + body).second;
+bool is_gas(const Material& material) { return std::holds_alternative<IdealGas>(material.eos); }
+
+/// Poisson's ratio at rest; a half where there is no shear modulus.
+double poisson_ratio(const Material& material) {
+  const double shear = std::visit([](const auto& model) { return model.shear_modulus; }, material.strength);
+  if (shear == 0.0) return 0.5;
+  const double bulk = bulk_modulus_of(material);
+  return (3.0 * bulk - 2.0 * shear) / (6.0 * bulk + 2.0 * shear);
 }
 
-std::vector<Warning> Watch::look(const Particles& particles, const std::map<std::string, Material>& materials,
+}  // namespace
+
+void Watch::tell(std::vector<Warning>& found, const std::string& name, const std::string& body, std::string text) {
+  names_.insert(name);
+  if (told_.insert(name + ' ' + body).second) found.push_back({name, std::move(text)});
+}
+
+void Watch::look_at(const Particles& particles, const Body& body, const RunSettings& settings,
+                    std::vector<Warning>& found) {
+  const auto& material = settings.materials.at(body.material);
+  if (const double part = clumped_part(particles, body, material.density); part > too_near_share)
+    tell(found, "clumping", body.name,
+         fmt::format("{:.0f} % of the particles of {} lie nearer to another one than a third of their spacing, as the "
+                     "tensile instability leaves them: cracks and fragments there are not the material's; "
+                     "total-Lagrangian kernels or scheme.artificial_stress may mend it",
+                     100.0 * part, body.name));
+  if (const double part = interpenetrated_part(particles, body, settings.materials); part > too_near_share)
+    tell(found, "interpenetration", body.name,
+         fmt::format("{:.0f} % of the particles of {} lie nearer than a third of their spacing to particles that were "
+                     "not their neighbours: bodies have run into each other there, and the pressure between them is "
+                     "too small; a larger contact.factor, contact.itself for pieces of one body, or a larger "
+                     "viscosity.beta may mend it",
+                     100.0 * part, body.name));
+  if (const double part = hourglass_share(particles, body, material); part > notable_hourglass)
+    tell(found, "hourglass", body.name,
+         fmt::format("neighbours in {} have moved against each other as kernels of the reference configuration do not "
+                     "see it: as a strain it would hold {:.0f} % of all energy that the body has stored and "
+                     "dissipated; scheme.hourglass_control against zero-energy modes, the scheme adaptle against slip "
+                     "may mend it",
+                     body.name, 100.0 * part));
+  const auto fit = misfit(particles, body);
+  if (fit.part > misfit_share)
+    tell(found, "density-misfit", body.name,
+         fmt::format("the densities of {:.0f} % of the particles of {} are not those of their places: the kernel finds "
+                     "{:.2f} of them on average; a correction of the kernel or the scheme msph may mend a part of it",
+                     100.0 * fit.part, body.name, fit.mean_sum));
+  if (is_gas(material) && fit.untouched > untouched_share)
+    tell(found, "lost-neighbours", body.name,
+         fmt::format("{:.1f} % of the particles of {} have pressure and no neighbour: the gas has stopped to expand "
+                     "there, too dense and too slow; a larger smoothing.ratio lets it go further",
+                     100.0 * fit.untouched, body.name));
+  if (is_gas(material))
+    if (const double heat = heat_at_walls(particles, body, settings.scene.symmetry); heat > notable_heat)
+      tell(found, "wall-heating", body.name,
+           fmt::format("next to a symmetry plane or axis {} has {:.2f} times the specific energy that it has further "
+                       "inside, where that is even: heat of a shock that was born there; a finer spacing only narrows "
+                       "it, the scheme msph smooths it",
+                       body.name, heat));
+  if (const double ratio = poisson_ratio(material); ratio > locking_ratio && ratio < 0.5)
+    tell(found, "locking", body.name,
+         fmt::format("Poisson's ratio of {} is {:.4f}: where it bends it is too stiff, by some per cent in "
+                     "total-Lagrangian kernels and more in Eulerian ones, whatever else is right",
+                     body.name, ratio));
+}
+
+std::vector<Warning> Watch::look(const Particles& particles, const RunSettings& settings,
                                  const std::vector<Warning>& of_scheme) {
   std::vector<Warning> found;
-  const auto tell = [&](const std::string& name, const std::string& body, const std::string& text) {
-    if (is_new(name, body)) found.push_back({name, text});
-  };
-  for (const auto& warning : of_scheme) tell(warning.name, {}, warning.text);
-  for (const auto& body : particles.bodies()) {
-    if (const double part = clumped_part(particles, body, materials.at(body.material).density); part > too_near_share)
-      tell(
-          "clumping", body.name,
-          fmt::format("{:.0f} % of the particles of {} lie nearer to another one than a third of their spacing, as the "
-                      "tensile instability leaves them: cracks and fragments there are not the material's; "
-                      "total-Lagrangian kernels or scheme.artificial_stress may mend it",
-                      100.0 * part, body.name));
-    if (const double part = interpenetrated_part(particles, body, materials); part > too_near_share)
-      tell(
-          "interpenetration", body.name,
-          fmt::format("{:.0f} % of the particles of {} lie nearer than a third of their spacing to particles that were "
-                      "not their neighbours: bodies have run into each other there, and the pressure between them is "
-                      "too small; a larger contact.factor, contact.itself for pieces of one body, or a larger "
-                      "viscosity.beta may mend it",
-                      100.0 * part, body.name));
-    if (const double part = hourglass_share(particles, body, materials.at(body.material)); part > notable_hourglass)
-      tell(
-          "hourglass", body.name,
-          fmt::format("neighbours in {} have moved against each other as kernels of the reference configuration do not "
-                      "see it: as a strain it would hold {:.0f} % of all energy that the body has stored and "
-                      "dissipated; scheme.hourglass_control against zero-energy modes, the scheme adaptle against slip "
-                      "may mend it",
-                      body.name, 100.0 * part));
-  }
+  for (const auto& warning : of_scheme) tell(found, warning.name, {}, warning.text);
+  for (const auto& body : particles.bodies()) look_at(particles, body, settings, found);
   return found;
 }
 

@@ -2,14 +2,12 @@
 // Looks at the particles of a run for what its scheme cannot tell of itself, so that a failure has a name and no number
 // is given in silence.
 
-#include <map>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "core/particles.hpp"
-#include "physics/material.hpp"
-#include "schemes/scheme.hpp"
+#include "run/run_settings.hpp"
 
 namespace tektite {
 
@@ -19,22 +17,38 @@ inline constexpr double too_near_share = 0.01;
 /// Of a body's energy (hourglass_share.hpp).
 inline constexpr double notable_hourglass = 0.2;
 
+/// Of a body's particles, those whose density does not fit their places: a shock front and what crosses it are fewer.
+inline constexpr double misfit_share = 0.05;
+
+/// Of a gas, particles out of each other's support: an edge loses some ten of them at any spacing.
+inline constexpr double untouched_share = 0.001;
+
+/// Of the specific energy of a gas, at a wall over away from it.
+inline constexpr double notable_heat = 1.2;
+
+/// Of Poisson's ratio: bending is too stiff by 3 % and more from here on (docs/stability.md).
+inline constexpr double locking_ratio = 0.489;
+
 class Watch {
  public:
   /// What is found now, or known by the scheme, and has not been told yet. Names of what is found:
   ///   clumping          Eulerian particles of a body lie in clumps: the tensile instability
   ///   interpenetration  bodies, or parts of a total-Lagrangian one, have run into each other
   ///   hourglass         total-Lagrangian particles move as their kernels do not see: zero-energy modes, slip
-  std::vector<Warning> look(const Particles& particles, const std::map<std::string, Material>& materials,
+  ///   density-misfit    densities of Eulerian particles have run away from the places of these
+  ///   lost-neighbours   a gas has expanded until its particles are out of each other's support
+  ///   wall-heating      a gas is hotter at a wall than shocks make it
+  ///   locking           a body is nearly incompressible: it bends too stiffly
+  std::vector<Warning> look(const Particles& particles, const RunSettings& settings,
                             const std::vector<Warning>& of_scheme);
 
   /// Names of all that has been told.
   const std::set<std::string>& names() const { return names_; }
 
  private:
-  /// Whether it has not been told of this body yet.
-  bool is_new(const std::string& name, const std::string& body);
-
+  void look_at(const Particles& particles, const Body& body, const RunSettings& settings, std::vector<Warning>& found);
+  /// Adds it where it has not been told of this body yet.
+  void tell(std::vector<Warning>& found, const std::string& name, const std::string& body, std::string text);
   std::set<std::string> names_;
   std::set<std::string> told_;  ///< names with bodies
 };

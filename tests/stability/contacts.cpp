@@ -40,7 +40,7 @@ Meeting meet(const std::string& scheme, double speed) {
     simulation.step();
     meeting.by_contact = meeting.by_contact || simulation.last_step().reason == StepLimit::contact;
     if (simulation.steps() % 50 == 0)
-      watch.look(simulation.particles(), simulation.settings().materials, simulation.scheme().warnings());
+      watch.look(simulation.particles(), simulation.settings(), simulation.scheme().warnings());
   }
   meeting.names = watch.names();
   const auto v = by_id(simulation.particles(), Field::velocity);

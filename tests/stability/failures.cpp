@@ -53,20 +53,20 @@ TEST_CASE("Tensile instability: a pulled square of Eulerian particles clumps, an
   const auto simulation = pulled_square("eulerian");
   const auto& particles = simulation.particles();
   Watch watch;
-  const auto warnings = watch.look(particles, simulation.settings().materials, {});
+  const auto warnings = watch.look(particles, simulation.settings(), {});
   WARN("clumped: " << clumped_part(particles, particles.bodies()[0], density)
                    << ", farthest from its place: " << farthest_from_places(simulation));
   REQUIRE(warnings.size() == 1);
   CHECK(warnings[0].name == "clumping");
   CHECK(watch.names().contains("clumping"));
-  CHECK(watch.look(particles, simulation.settings().materials, {}).empty());  // told once
+  CHECK(watch.look(particles, simulation.settings(), {}).empty());  // told once
 }
 
 TEST_CASE("Tensile instability: with kernels of the reference configuration the pulled square stays as it is") {
   const auto simulation = pulled_square("total-lagrangian");
   CHECK(farthest_from_places(simulation) < 0.01);
   Watch watch;
-  CHECK(watch.look(simulation.particles(), simulation.settings().materials, {}).empty());
+  CHECK(watch.look(simulation.particles(), simulation.settings(), {}).empty());
 }
 
 TEST_CASE("Watch: a lattice has no clumps, however fine it is pressed") {

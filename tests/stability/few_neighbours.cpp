@@ -19,7 +19,7 @@ const std::string metal =
 
 std::set<std::string> names_of(const Simulation& simulation) {
   Watch watch;
-  watch.look(simulation.particles(), simulation.settings().materials, simulation.scheme().warnings());
+  watch.look(simulation.particles(), simulation.settings(), simulation.scheme().warnings());
   return watch.names();
 }
 

@@ -153,12 +153,12 @@ TEST_CASE("Hourglass control: gives the shortest waves the frequency that its en
 TEST_CASE("Hourglass: a run that has zero-energy modes says so, and the control mends it") {
   Watch watch;
   const auto without = noisy_square(0.0, 2e-3);
-  const auto warnings = watch.look(without.particles(), without.settings().materials, {});
+  const auto warnings = watch.look(without.particles(), without.settings(), {});
   const auto with = noisy_square(0.1, 2e-3), healthy = noisy_square(0.0, 0.0);
   WARN(fmt::format("share: {:.3f} without, {:.3f} with control, {:.4f} without noise", share_of(without),
                    share_of(with), share_of(healthy)));
   REQUIRE(warnings.size() == 1);
   CHECK(warnings[0].name == "hourglass");
-  CHECK(Watch().look(with.particles(), with.settings().materials, {}).empty());
-  CHECK(Watch().look(healthy.particles(), healthy.settings().materials, {}).empty());
+  CHECK(Watch().look(with.particles(), with.settings(), {}).empty());
+  CHECK(Watch().look(healthy.particles(), healthy.settings(), {}).empty());
 }

@@ -43,7 +43,7 @@ Slip slipped(const std::string& scheme, double spacings) {
   run_to_the_end(simulation);
   Slip slip{0.0, 0.0, {}};
   Watch watch;
-  watch.look(simulation.particles(), simulation.settings().materials, simulation.scheme().warnings());
+  watch.look(simulation.particles(), simulation.settings(), simulation.scheme().warnings());
   slip.names = watch.names();
   slip.share = hourglass_share(simulation.particles(), simulation.particles().bodies()[0],
                                simulation.settings().materials.at("soft"));
@@ -104,7 +104,7 @@ TEST_CASE("Reference configuration: pieces that cracks have parted run into each
   for (const std::string contact : {"", "contact.itself = true\n"}) {
     const auto simulation = meeting_pieces(contact);
     Watch watch;
-    watch.look(simulation.particles(), simulation.settings().materials, simulation.scheme().warnings());
+    watch.look(simulation.particles(), simulation.settings(), simulation.scheme().warnings());
     WARN(fmt::format("{:.0f} % of the particles are too near {}",
                      100.0 * interpenetrated_part(simulation.particles(), simulation.particles().bodies()[0],
                                                   simulation.settings().materials),

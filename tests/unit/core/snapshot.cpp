@@ -162,5 +162,67 @@ TEST_CASE("Snapshot: a count that the data do not have is refused before memory 
   CHECK_THAT(fault_of([&] { read_snapshot(path); }), Contains("/particles/density: has 4 x 1 numbers where"));
 }
 
+/// Puts another value in the place of an attribute.
+void replace(const std::string& path, const char* object, const char* name, hid_t type, const void* value) {
+  const hdf5::Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+  REQUIRE(H5Adelete_by_name(file.id(), object, name, H5P_DEFAULT) >= 0);
+  const hdf5::Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  const hdf5::Handle attribute(
+      H5Acreate_by_name(file.id(), object, name, type, space.id(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  REQUIRE(H5Awrite(attribute.id(), type, value) >= 0);
+}
+
+TEST_CASE("Snapshot: bodies and a time that cannot be are refused with their place") {
+  struct Case {
+    const char* object;
+    const char* name;
+    double value;
+    std::string says;
+  };
+  for (const auto& c :
+       std::vector<Case>{{"/bodies/0000", "first", 1.0, "/bodies/0000: its range of particles is wrong"},
+                         {"/bodies/0000", "count", 0.0, "/bodies/0000: its range of particles is wrong"},
+                         {"/bodies/0000", "spacing", 0.0, "/bodies/0000: its spacing is wrong"},
+                         {"/bodies/0000", "spacing", std::nan(""), "/bodies/0000: its spacing is wrong"},
+                         {"/state", "time", std::nan(""), "/state/@time: is missing or not finite"}}) {
+    const test::TemporaryFolder folder;
+    const auto path = folder.file("wrong.h5");
+    test::unfinished_file(path, 1, 4).close();
+    replace(path, c.object, c.name, H5T_NATIVE_DOUBLE, &c.value);
+    CHECK_THAT(fault_of([&] { read_snapshot(path); }), Contains(c.says));
+  }
+}
+
+TEST_CASE("Snapshot: an unknown space, an unknown field, no body and a field that is missing are refused") {
+  const test::TemporaryFolder folder;
+  const auto path = folder.file("wrong.h5");
+  const auto says = [&] { return fault_of([&] { read_snapshot(path); }); };
+  test::unfinished_file(path, 1, 4).close();
+  CHECK_THAT(says(), Contains("/particles/id: is missing"));
+
+  const hdf5::Handle word(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(word.id(), 4);
+  H5Tset_cset(word.id(), H5T_CSET_UTF8);
+  replace(path, "/", "space", word.id(), "warp");
+  CHECK_THAT(says(), Contains("/@space: unknown space \"warp\""));
+
+  auto field = test::unfinished_file(path, 1, 4);
+  field.reals("/particles/charm", std::vector<double>(4, 1.0), 1);
+  field.close();
+  CHECK_THAT(says(), Contains("/particles/charm: no such field"));
+
+  auto scratch = test::unfinished_file(path, 1, 4);
+  scratch.reals("/particles/half_density", std::vector<double>(4, 1.0), 1);
+  scratch.close();
+  CHECK_THAT(says(), Contains("/particles/half_density: no such field"));
+
+  test::unfinished_file(path, 1, 4).close();
+  {
+    const hdf5::Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+    REQUIRE(H5Ldelete(file.id(), "/bodies/0000", H5P_DEFAULT) >= 0);
+  }
+  CHECK_THAT(says(), Contains("/bodies: holds no body"));
+}
+
 }  // namespace
 }  // namespace tektite

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "support/fault.hpp"
 #include "support/lattice.hpp"
 
 using namespace tektite;
@@ -46,4 +47,16 @@ TEST_CASE("Probes: extremes of a vector are those of each component", "[probes]"
   CHECK(probes.columns(p) ==
         std::vector<std::string>{"low.position_x", "low.position_y", "high.position_x", "high.position_y"});
   CHECK(probes.values(p) == std::vector<double>{2.0, -3.0, 5.0, -1.0});
+}
+
+TEST_CASE("Probes: a body, a probe or a particle that is not there is named", "[probes]") {
+  using Catch::Matchers::Contains;
+  const auto p = two_bodies();
+  const std::vector<Probe> elsewhere{{"there", "nowhere", Shown::particle, {0.0}, {Field::pressure}}};
+  CHECK_THAT(test::fault_of([&] { Probes(elsewhere, p); }), Contains("probe.there") && Contains("no such body"));
+  const std::vector<Probe> wanted{{"place", "near", Shown::particle, {1.9}, {Field::pressure}}};
+  CHECK_THAT(test::fault_of([&] { Probes(wanted, std::map<std::string, double>{}); }),
+             Contains("the snapshot does not know this probe"));
+  Probes gone(wanted, {{"probe.place", 99.0}});
+  CHECK_THROWS_WITH(gone.values(p), Contains("probe place: its particle 99 is gone"));
 }

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/particles.hpp"
+#include "core/space.hpp"
+
+namespace tektite {
+
+/// The length, area or volume in m^D that a particle has among its neighbours by mass and density: of a ring its
+/// section, of a shell its thickness. On an axis, where half a cell lies, the mean radius is a quarter of the spacing.
+inline double room_of(const Particles& particles, const Body& body, std::size_t i) {
+  double room = particles.scalars(Field::mass)[i] / particles.scalars(Field::density)[i];
+  if (particles.has(Field::thickness)) room /= particles.scalars(Field::thickness)[i];
+  const int hoops = hoops_of(particles.space());
+  if (hoops == 0) return room;
+  const auto d = static_cast<std::size_t>(particles.dimensions());
+  const double radius = std::max(std::abs(particles.reals(Field::position)[d * i]), 0.25 * body.spacing);
+  return room / (hoops == 1 ? 2.0 * std::numbers::pi * radius : 4.0 * std::numbers::pi * radius * radius);
+}
+
+}  // namespace tektite

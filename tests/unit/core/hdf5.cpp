@@ -1,0 +1,99 @@
+// What a file holds in another shape, type or length than asked for is refused, with its place.
+#include "core/hdf5.hpp"
+
+#include <array>
+#include <catch2/catch.hpp>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "support/fault.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace tektite {
+namespace {
+
+using Catch::Matchers::Contains;
+using hdf5::Handle;
+
+/// A dataset whose numbers are not stored.
+void claim(const std::string& path, const char* name, const std::vector<hsize_t>& shape, hid_t type) {
+  const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+  const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose);
+  const Handle data(H5Dcreate2(file.id(), name, type, space.id(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
+  REQUIRE(data.valid());
+}
+
+/// An attribute of two numbers at the root.
+void attach_two(const std::string& path, const char* name) {
+  const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+  const std::array<hsize_t, 1> two{2};
+  const Handle space(H5Screate_simple(1, two.data(), nullptr), H5Sclose);
+  const Handle attribute(H5Acreate2(file.id(), name, H5T_NATIVE_DOUBLE, space.id(), H5P_DEFAULT, H5P_DEFAULT),
+                         H5Aclose);
+  const std::array<double, 2> values{1.0, 2.0};
+  REQUIRE(H5Awrite(attribute.id(), H5T_NATIVE_DOUBLE, values.data()) >= 0);
+}
+
+struct File {
+  File() {
+    hdf5::Writer writer(path);
+    writer.reals("/four", std::vector<double>(4, 1.0), 1);
+    writer.integers("/whole", std::vector<std::int64_t>(4, 1), 1);
+    writer.attribute("/", "word", std::string("word"));
+    writer.attribute("/", "number", 1.5);
+    writer.close();
+    claim(path, "cube", {2, 2, 2}, H5T_NATIVE_DOUBLE);
+    claim(path, "promised", {1 << 20}, H5T_NATIVE_DOUBLE);
+    claim(path, "endless", {(1 << 24) + 1}, H5T_NATIVE_UCHAR);
+    attach_two(path, "two");
+  }
+  test::TemporaryFolder folder;
+  std::string path = folder.file("file.h5");
+};
+
+}  // namespace
+
+TEST_CASE("HDF5: what is not as asked for is refused with file, place and reason") {
+  using hdf5::Reader;
+  struct Case {
+    std::function<void(const Reader&)> read;
+    std::string says;
+  };
+  const File file;
+  const Reader reader(file.path);
+  for (const auto& [read, says] : std::vector<Case>{
+           {[](const Reader& r) { r.reals("/none", 4, 1); }, "/none: is missing or broken"},
+           {[](const Reader& r) { r.text("/none"); }, "/none: is missing or broken"},
+           {[](const Reader& r) { r.members("/none"); }, "/none: is missing or broken"},
+           {[](const Reader& r) { r.attributes("/none"); }, "/none: is missing or broken"},
+           {[](const Reader& r) { r.real_attribute("/", "none"); }, "/@none: is missing"},
+           {[](const Reader& r) { r.reals("/cube", 4, 2); }, "/cube: has no shape that can be read"},
+           {[](const Reader& r) { r.reals("/whole", 4, 1); }, "/whole: has the wrong type of numbers"},
+           {[](const Reader& r) { r.integers("/four", 4, 1); }, "/four: has the wrong type of numbers"},
+           {[](const Reader& r) { r.reals("/four", 2, 2); }, "/four: has 4 x 1 numbers where 2 x 2 belong"},
+           {[](const Reader& r) { r.reals("/promised", 1 << 20, 1); },
+            "/promised: has 1048576 x 1 numbers, of which most are not stored"},
+           {[](const Reader& r) { r.text("/endless"); }, "/endless: is no text of a sensible length"},
+           {[](const Reader& r) { r.real_attribute("/", "two"); }, "/@two: is no single value"},
+           {[](const Reader& r) { r.text_attribute("/", "number"); }, "/@number: is no text of a sensible length"},
+           {[](const Reader& r) { r.real_attribute("/", "word"); }, "/@word: is no number"},
+           {[](const Reader& r) { r.integer_attribute("/", "word"); }, "/@word: is no whole number"}}) {
+    const auto fault = test::fault_of([&] { read(reader); });
+    CHECK_THAT(fault, Contains("file.h5") && Contains(says));
+  }
+}
+
+TEST_CASE("HDF5: what cannot be written is told with file and place") {
+  CHECK_THROWS_WITH(hdf5::Writer("/no/such/folder/file.h5"), Contains("file.h5: cannot be created"));
+  const test::TemporaryFolder folder;
+  hdf5::Writer writer(folder.file("twice.h5"));
+  writer.group("/group");
+  CHECK_THROWS_WITH(writer.group("/group"), Contains("twice.h5: /group cannot be written"));
+  CHECK_THROWS_WITH(writer.reals("/group", std::vector<double>(1, 1.0), 1), Contains("/group cannot be written"));
+  CHECK_THROWS_WITH(writer.attribute("/none", "name", 1.0), Contains("/none/@name cannot be written"));
+  CHECK_THROWS_WITH(writer.attribute("/none", "name", std::int64_t{1}), Contains("/none/@name cannot be written"));
+  CHECK_THROWS_WITH(writer.attribute("/none", "name", std::string("text")), Contains("/none/@name cannot be written"));
+}
+
+}  // namespace tektite
