@@ -25,6 +25,19 @@ inline constexpr auto compress_orders = [] {
   return orders;
 }();
 
+typedef std::uint32_t Eight __attribute__((vector_size(compress_width * sizeof(std::uint32_t))));
+
+/// values[order[k]] for each k; order[k] is below eight. Clang lacks the builtin of GCC.
+inline Eight permuted(Eight values, Eight order) {
+#ifdef __clang__
+  Eight result{};
+  for (std::size_t k = 0; k < compress_width; ++k) result[k] = values[order[k]];
+  return result;
+#else
+  return __builtin_shuffle(values, order);
+#endif
+}
+
 }  // namespace detail
 
 /// Copies values[n] to `out` for every n with mark[n] = 1, where the others are 0, in their order; returns how many.
@@ -32,16 +45,15 @@ inline constexpr auto compress_orders = [] {
 inline std::size_t compress(std::span<const std::uint32_t> values, std::span<const std::uint8_t> mark,
                             std::span<std::uint32_t> out) {
   static_assert(std::endian::native == std::endian::little, "the marks are read as one number");
-  typedef std::uint32_t Eight __attribute__((vector_size(compress_width * sizeof(std::uint32_t))));
   std::size_t found = 0;
   for (std::size_t n = 0; n < values.size(); n += compress_width) {
     std::uint64_t marks;
     std::memcpy(&marks, mark.data() + n, sizeof marks);
     const std::uint64_t pattern = marks * 0x0102040810204080u >> 56;  // the lowest bit of each byte, side by side
-    Eight eight, order;
+    detail::Eight eight, order;
     std::memcpy(&eight, values.data() + n, sizeof eight);
     std::memcpy(&order, detail::compress_orders[pattern].data(), sizeof order);
-    eight = __builtin_shuffle(eight, order);
+    eight = detail::permuted(eight, order);
     std::memcpy(out.data() + found, &eight, sizeof eight);
     found += static_cast<std::size_t>(std::popcount(pattern));
   }
