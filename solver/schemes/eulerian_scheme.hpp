@@ -126,7 +126,7 @@ class EulerianScheme final : public Scheme {
     if (corrected_)
       corrected_->evaluate(particles_, neighbourhood_.pairs(), neighbourhood_.mirror(), records_);
     else
-      with_smoothing(smoothing_, [this](const auto& smoothing) { sum_over_pairs(smoothing); });
+      with_smoothing(smoothing_, [this](const auto& smoothing) { this->sum_over_pairs(smoothing); });
     auto& p = particles_;
     if constexpr (rings) rings_.turn(p, neighbourhood_.pairs());
     if (contact_)
