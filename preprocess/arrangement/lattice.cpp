@@ -69,7 +69,7 @@ class Lattice : public Arrangement {
   static Rows rows(const std::array<Axis, 3>& axes) {
     const auto& [x, y, z] = axes;
     if (x.count <= 0 || y.count <= 0 || z.count <= 0) return {0, {}};
-    return {static_cast<std::size_t>(y.count * z.count), [x, y, z](std::size_t k) {
+    return {static_cast<std::size_t>(y.count * z.count), [x = x, y = y, z = z](std::size_t k) {
               const auto j = static_cast<long long>(k) % y.count, l = static_cast<long long>(k) / y.count;
               return Row{
                   {{x.first, y.first + static_cast<double>(j) * y.step, z.first + static_cast<double>(l) * z.step}},
