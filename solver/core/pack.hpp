@@ -23,10 +23,19 @@ inline constexpr std::size_t wide_pack_width = pack_width;
 using WidePack = std::experimental::simd<double, std::experimental::simd_abi::deduce_t<double, wide_pack_width>>;
 
 // Always inlined: a call inside a loop over pairs would put every register into memory.
-[[gnu::always_inline]] inline double select(bool condition, double yes, double no) { return condition ? yes : no; }
-[[gnu::always_inline]] inline Pack select(const Pack::mask_type& condition, const Pack& yes, Pack no) {
+/// Lane by lane, `yes` where the condition holds. Clang takes the wrong lanes in the masked assignment of libstdc++ 12.
+template <class P>
+[[gnu::always_inline]] inline P chosen(const typename P::mask_type& condition, const P& yes, P no) {
+#ifdef __clang__
+  return P([&](auto lane) { return condition[lane] ? yes[lane] : no[lane]; });
+#else
   where(condition, no) = yes;
   return no;
+#endif
+}
+[[gnu::always_inline]] inline double select(bool condition, double yes, double no) { return condition ? yes : no; }
+[[gnu::always_inline]] inline Pack select(const Pack::mask_type& condition, const Pack& yes, const Pack& no) {
+  return chosen(condition, yes, no);
 }
 [[gnu::always_inline]] inline double larger(double a, double b) { return a > b ? a : b; }
 [[gnu::always_inline]] inline Pack larger(const Pack& a, const Pack& b) { return std::experimental::max(a, b); }
@@ -37,9 +46,8 @@ using WidePack = std::experimental::simd<double, std::experimental::simd_abi::de
 template <class T>
 concept OnlyWide = std::same_as<T, WidePack> && !std::same_as<T, Pack>;
 template <OnlyWide T>
-[[gnu::always_inline]] inline T select(const typename T::mask_type& condition, const T& yes, T no) {
-  where(condition, no) = yes;
-  return no;
+[[gnu::always_inline]] inline T select(const typename T::mask_type& condition, const T& yes, const T& no) {
+  return chosen(condition, yes, no);
 }
 template <OnlyWide T>
 [[gnu::always_inline]] inline T larger(const T& a, const T& b) {
