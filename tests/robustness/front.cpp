@@ -79,6 +79,13 @@ TEST_CASE("Front: what a command line lacks, and what is too much in it, is told
       {{"postprocess", "--chart", "study.toml"}, "--chart needs the folder"},
       {{"postprocess", "--page", "one"}, "--page needs the file"},
       {{"postprocess", "one", "two"}, "one folder at a time"},
+      {{"postprocess", "--stability", "study.toml"}, "--stability needs the folder"},
+      {{"postprocess", "nowhere"}, "there is no such folder or file"},
+      {{"solve", "--stability", "study.toml"}, "--stability needs the folder"},
+      {{"solve", "nowhere"}, "there is no such folder"},
+      {{"solve", ".", "--resume"}, "there is no snapshot to go on from"},
+      {{"resume", "nowhere"}, "there is no such folder"},
+      {{"resume", "."}, "there is no snapshot to go on from"},
       {{"compute"}, "unknown command \"compute\""},
   };
   for (const auto& wrong : table) {
@@ -103,6 +110,8 @@ TEST_CASE("Front: a run leaves its state, numbers and the table of ours beside p
   INFO(outcome.faults);
   REQUIRE(outcome.code == 0);
   CHECK_THAT(outcome.output, Contains("50 GPa") && Contains("a value to compare with"));
+  CHECK_THAT(place.tektite({"postprocess", "runs/small-fast", "--set", "time.end=1"}).faults,
+             Contains("--set changes a scene file"));
   for (const std::string part :
        {"particles.h5", "snapshots", "history.csv", "solve.json", "run.log", "measurements.json", "vtu", "small.pvd"}) {
     INFO(part);

@@ -84,6 +84,9 @@ TEST_CASE("Interface: without two kernel types there is none, and that is told")
   auto event = event_of_square(1.0, 0.0);
   for (auto& type : event.last_snapshot.particles.integers(Field::kernel_type)) type = 1;
   CHECK_THROWS_WITH(take_of(scene, "interface_jump", event), Catch::Contains("no interface"));
+  auto even = event_of_square(1.0, 0.0);
+  for (auto& pressure : even.last_snapshot.particles.reals(Field::pressure)) pressure = 1e6;
+  CHECK_THROWS_WITH(take_of(scene, "interface_jump", even), Catch::Contains("the pressure is uniform"));
   event.last_snapshot.particles.release(Field::kernel_type);
   CHECK_THROWS_WITH(take_of(scene, "interface_jump", event), Catch::Contains("no kernel_type"));
 }

@@ -49,6 +49,8 @@ TEST_CASE("History: what is no finite number is told with line, column and value
 TEST_CASE("History: an empty file and a missing time are refused") {
   CHECK(fault_of([] { history_of(""); }).find("empty") != std::string::npos);
   CHECK(fault_of([] { history_of("step\n1\n"); }).find("time") != std::string::npos);
+  CHECK(fault_of([] { history_of("step,time,time\n1,0,0\n"); }).find("stands twice") != std::string::npos);
+  CHECK(fault_of([] { History::read("/no/such/history.csv"); }).find("cannot be opened") != std::string::npos);
 }
 
 TEST_CASE("History: a missing column is answered with those that are there") {

@@ -198,4 +198,17 @@ TEST_CASE("Measures: every kind has a reader and a name of its own") {
   CHECK(names.size() == measure_kinds().size());
 }
 
+TEST_CASE("Crater: where nothing moves at the start there is no direction of impact, and that is told") {
+  auto event = event_of({});
+  for (auto& velocity : event.initial.velocity) velocity = Point::zero();
+  CHECK_THROWS_WITH(take("crater_diameter", event), Catch::Contains("no body moves against the target"));
+}
+
+TEST_CASE("Extension: a projectile with a hole on its flight line has none, and that is told") {
+  auto event = event_of({Space::plane_strain, {0.0, 0.0, 30e-3, false}, false, as_it_is, {}});
+  for (auto& position : event.last.position)
+    if (std::abs(position[1]) < 3e-3) position[1] += 10e-3;
+  CHECK_THROWS_WITH(take("projectile_extension", event), Catch::Contains("a hole on its flight line"));
+}
+
 }  // namespace tektite::test

@@ -160,6 +160,11 @@ TEST_CASE("Pictures: what cannot be drawn is a warning") {
   std::ofstream(made.folder.file("history.csv")) << "time,kinetic_energy\n0,10\n";
   made.run.history = History::read(made.folder.file("history.csv"));
   CHECK(made.draw(picture)[0].find("a picture each") != std::string::npos);
+  made.run.history.reset();
+  CHECK(made.draw(picture)[0].find("there is no history.csv") != std::string::npos);
+  auto nobody = small_picture("pressure");
+  nobody.bodies = {"nobody"};
+  CHECK(made.draw(nobody)[0].find("there is no particle to draw") != std::string::npos);
 }
 
 TEST_CASE("Pictures: without an X server to start, that is said and nothing ends") {

@@ -150,4 +150,20 @@ TEST_CASE("Lip: the height counts from the clamped edge, wherever the rest of th
   CHECK(take("lip_height", event).value == Approx(at_rest + 0.6e-3).epsilon(1e-9));
 }
 
+TEST_CASE("Lip: a rim that has gone, from a side or from the exit face, is told") {
+  const Plate plate;
+  auto one_side = plate_snapshot(plate, false);
+  auto* position = one_side.particles.vectors<3>(Field::position);
+  for (std::size_t i = 0; i < one_side.particles.count(); ++i) position[i][1] = std::abs(position[i][1]);
+  CHECK_THROWS_WITH(take("lip_height", event_between(plate_snapshot(plate, true), std::move(one_side), {})),
+                    Catch::Contains("does not surround the flight line"));
+
+  auto front_alone = plate_snapshot(plate, false);
+  const auto start = particles_of(plate, true);
+  for (std::size_t i = 0; i < start.size(); ++i)
+    if (start[i].position[0] > 1e-3) front_alone.particles.integers(Field::clamped)[i] = 0;
+  CHECK_THROWS_WITH(take("lip_height", event_between(plate_snapshot(plate, true), std::move(front_alone), {})),
+                    Catch::Contains("no particle on its exit face"));
+}
+
 }  // namespace tektite::test

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "core/error.hpp"
 #include "postprocess/whole.hpp"
 #include "unit/postprocess/synthetic.hpp"
 
@@ -38,6 +39,12 @@ TEST_CASE("Whole: particles are found again by id and image after they were orde
   CHECK(places_in(make_whole(first, planes), make_whole(later, planes)) == std::vector<std::uint32_t>{1, 0, 3, 2});
   later.particles.integers(Field::id)[0] = 77;
   CHECK_THROWS_AS(places_in(make_whole(first, planes), make_whole(later, planes)), RunError);
+}
+
+TEST_CASE("Whole: a body that is not there is answered with those that are") {
+  const auto whole =
+      make_whole(snapshot_of(Space::line, {{"a", {1.0, 0, 0}, {}}, {"b", {2.0, 0, 0}, {}}}, 0.0, "", as_it_is), {});
+  CHECK_THROWS_WITH(whole.body_named("c"), Catch::Contains("no body c") && Catch::Contains("a, b"));
 }
 
 }  // namespace tektite::test
