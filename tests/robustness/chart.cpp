@@ -135,6 +135,9 @@ TEST_CASE("Chart: a wrong study is refused with its place before anything is run
   CHECK_THAT(refused("scene.toml", "other.toml"), Contains("other.toml") && Contains("cannot be opened"));
   CHECK_THAT(place.chart({"study.toml", "--jobs", "0"}).faults, Contains("--jobs"));
   CHECK_THAT(place.chart({"none.toml"}).faults, Contains("none.toml"));
+  CHECK_THAT(refused(study.substr(study.find("[line.")), ""), Contains("there is nothing to run"));
+  place.write("study.toml", study);
+  CHECK_THAT(place.chart({"study.toml", "-o", "study.toml"}).faults, Contains("this is no folder"));
 }
 
 }  // namespace

@@ -23,13 +23,17 @@ material = "aluminium"
 [line.eulerian]
 )";
 
+void lay_out(const TemporaryFolder& folder, const std::string& text) {
+  std::filesystem::copy(std::string(WRONG_SCENES) + "/base.toml", folder.file("scene.toml"));
+  std::ofstream(folder.file("study.toml")) << text;
+}
+
 /// The study with `now` in place of `old`.
 Outcome changed(const std::string& old, const std::string& now) {
   const TemporaryFolder folder;
-  std::filesystem::copy(std::string(WRONG_SCENES) + "/base.toml", folder.file("scene.toml"));
   auto wrong = study;
   wrong.replace(wrong.find(old), old.size(), now);
-  std::ofstream(folder.file("study.toml")) << wrong;
+  lay_out(folder, wrong);
   return run_in(folder.path(), {TEKTITE_PROGRAM, "stability", "study.toml"});
 }
 
@@ -45,6 +49,25 @@ TEST_CASE("Stability study: a wrong one is refused with its place") {
              Contains("study.toml:3: stress.largest") && Contains("is not above least (allowed: a larger value)"));
   CHECK_THAT(refused("line.eulerian", "line.\"a b\""), Contains("line.a b: names columns, so it must be plain"));
   CHECK_THAT(refused("[line.eulerian]", ""), Contains("there is nothing to analyse (allowed: [line.NAME])"));
+}
+
+TEST_CASE("Stability study: what is no folder, and tables that are not those of the study, are refused") {
+  const TemporaryFolder folder;
+  lay_out(folder, study);
+  CHECK_THAT(run_in(folder.path(), {TEKTITE_PROGRAM, "stability", "study.toml", "-o", "study.toml"}).faults,
+             Contains("this is no folder"));
+  const auto drawn_of = [&](const std::string& table) {
+    std::filesystem::create_directory(folder.file("out"));
+    if (!table.empty()) std::ofstream(folder.file("out/growth.csv")) << table;
+    const auto outcome =
+        run_in(folder.path(), {TEKTITE_PROGRAM, "postprocess", "--stability", "study.toml", "-o", "out"});
+    CHECK(outcome.code == 2);
+    return outcome.faults;
+  };
+  CHECK_THAT(drawn_of(""), Contains("growth.csv") && Contains("the table cannot be read"));
+  CHECK_THAT(drawn_of("line,stress,ratio,growth\neulerian,much,1,1\n"),
+             Contains("growth.csv:2: stress = much: not a number"));
+  CHECK_THAT(drawn_of("line,stress,ratio,growth\nother,1,1,1\n"), Contains("eulerian") && Contains("has no rows"));
 }
 
 TEST_CASE("Stability study: a stress that the equation of state does not reach has no answer, and others have") {

@@ -110,6 +110,12 @@ TEST_CASE("References: what is wrong is told with its place") {
   CHECK(fault_of([] {
           references_of("[[reference]]\nmeasure = \"size\"\npublished = 1\nsource = \"x\"\n", "");
         }).find("crater_diameter") != std::string::npos);
+  CHECK(fault_of([] {
+          references_of(
+              "[[reference]]\nmeasure = \"crater_diameter\"\npublished = \"2.1 cm\"\nsource = \"x\"\n"
+              "within = \"1 mm\"\nwithin_relative = 0.05\n",
+              "");
+        }).find("within is given too") != std::string::npos);
 }
 
 }  // namespace tektite::test
