@@ -6,6 +6,7 @@
 
 #include "neighbours/cell_grid.hpp"
 #include "run/lagrangian.hpp"
+#include "run/particle_room.hpp"
 
 namespace tektite {
 namespace {
@@ -17,11 +18,10 @@ struct Crowd {
   std::vector<Vector<double, D>> x;
   std::vector<double> near;  ///< m
 
-  void add(const Particles& particles, const Body& body, std::size_t i, double density) {
+  void add(const Particles& particles, const Body& body, std::size_t i) {
     members.push_back(i);
     x.push_back(particles.vectors<D>(Field::position)[i]);
-    near.push_back(too_near_distance * body.spacing *
-                   std::pow(density / particles.scalars(Field::density)[i], 1.0 / D));
+    near.push_back(too_near_distance * std::pow(room_of(particles, body, i), 1.0 / D));
   }
 };
 
@@ -45,23 +45,21 @@ std::size_t count_too_near(const Crowd<D>& crowd, const Asks& asks, const Meets&
 }
 
 template <int D>
-std::size_t count_clumped(const Particles& particles, const Body& body, double density) {
+std::size_t count_clumped(const Particles& particles, const Body& body) {
   Crowd<D> crowd;
   for (auto i = body.range.begin; i < body.range.end; ++i)
-    if (!is_lagrangian(particles, i)) crowd.add(particles, body, i, density);
+    if (!is_lagrangian(particles, i)) crowd.add(particles, body, i);
   return count_too_near(
       crowd, [](std::size_t) { return true; }, [](std::size_t, std::size_t) { return true; });
 }
 
 template <int D>
-std::size_t count_interpenetrated(const Particles& particles, const Body& own,
-                                  const std::map<std::string, Material>& materials) {
+std::size_t count_interpenetrated(const Particles& particles, const Body& own) {
   if (particles.bodies().size() == 1 && !particles.has(Field::reference_position)) return 0;
   const auto within = [&own](std::size_t i) { return i >= own.range.begin && i < own.range.end; };
   Crowd<D> crowd;
   for (const auto& body : particles.bodies())
-    for (auto i = body.range.begin; i < body.range.end; ++i)
-      crowd.add(particles, body, i, materials.at(body.material).density);
+    for (auto i = body.range.begin; i < body.range.end; ++i) crowd.add(particles, body, i);
   return count_too_near(crowd, within, [&](std::size_t i, std::size_t j) {
     if (!within(j)) return true;
     if (!is_lagrangian(particles, i) || !is_lagrangian(particles, j)) return false;
@@ -76,18 +74,17 @@ double part_of(std::size_t count, const Body& body) {
 
 }  // namespace
 
-double clumped_part(const Particles& particles, const Body& body, double density) {
-  const auto count = particles.dimensions() == 1   ? count_clumped<1>(particles, body, density)
-                     : particles.dimensions() == 2 ? count_clumped<2>(particles, body, density)
-                                                   : count_clumped<3>(particles, body, density);
+double clumped_part(const Particles& particles, const Body& body) {
+  const auto count = particles.dimensions() == 1   ? count_clumped<1>(particles, body)
+                     : particles.dimensions() == 2 ? count_clumped<2>(particles, body)
+                                                   : count_clumped<3>(particles, body);
   return part_of(count, body);
 }
 
-double interpenetrated_part(const Particles& particles, const Body& body,
-                            const std::map<std::string, Material>& materials) {
-  const auto count = particles.dimensions() == 1   ? count_interpenetrated<1>(particles, body, materials)
-                     : particles.dimensions() == 2 ? count_interpenetrated<2>(particles, body, materials)
-                                                   : count_interpenetrated<3>(particles, body, materials);
+double interpenetrated_part(const Particles& particles, const Body& body) {
+  const auto count = particles.dimensions() == 1   ? count_interpenetrated<1>(particles, body)
+                     : particles.dimensions() == 2 ? count_interpenetrated<2>(particles, body)
+                                                   : count_interpenetrated<3>(particles, body);
   return part_of(count, body);
 }
 

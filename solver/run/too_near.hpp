@@ -2,11 +2,7 @@
 // Particles that lie nearer to each other than material can: clumps within a body, and bodies or parts of one body that
 // have run into each other.
 
-#include <map>
-#include <string>
-
 #include "core/particles.hpp"
-#include "physics/material.hpp"
 
 namespace tektite {
 
@@ -15,12 +11,10 @@ namespace tektite {
 inline constexpr double too_near_distance = 1.0 / 3.0;
 
 /// The part of a body's particles that have an Eulerian kernel and another such particle of the body too near.
-/// `density` is the body's at rest, in kg/m³.
-double clumped_part(const Particles& particles, const Body& body, double density);
+double clumped_part(const Particles& particles, const Body& body);
 
 /// The part of a body's particles that have a particle of another body too near, or one of their own that was further
 /// away in the reference configuration than two spacings: kernels of that configuration do not see it.
-double interpenetrated_part(const Particles& particles, const Body& body,
-                            const std::map<std::string, Material>& materials);
+double interpenetrated_part(const Particles& particles, const Body& body);
 
 }  // namespace tektite

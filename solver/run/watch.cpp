@@ -30,13 +30,13 @@ void Watch::tell(std::vector<Warning>& found, const std::string& name, const std
 void Watch::look_at(const Particles& particles, const Body& body, const RunSettings& settings,
                     std::vector<Warning>& found) {
   const auto& material = settings.materials.at(body.material);
-  if (const double part = clumped_part(particles, body, material.density); part > too_near_share)
+  if (const double part = clumped_part(particles, body); part > too_near_share)
     tell(found, "clumping", body.name,
          fmt::format("{:.0f} % of the particles of {} lie nearer to another one than a third of their spacing, as the "
                      "tensile instability leaves them: cracks and fragments there are not the material's; "
                      "total-Lagrangian kernels or scheme.artificial_stress may mend it",
                      100.0 * part, body.name));
-  if (const double part = interpenetrated_part(particles, body, settings.materials); part > too_near_share)
+  if (const double part = interpenetrated_part(particles, body); part > too_near_share)
     tell(found, "interpenetration", body.name,
          fmt::format("{:.0f} % of the particles of {} lie nearer than a third of their spacing to particles that were "
                      "not their neighbours: bodies have run into each other there, and the pressure between them is "

@@ -54,7 +54,7 @@ TEST_CASE("Tensile instability: a pulled square of Eulerian particles clumps, an
   const auto& particles = simulation.particles();
   Watch watch;
   const auto warnings = watch.look(particles, simulation.settings(), {});
-  WARN("clumped: " << clumped_part(particles, particles.bodies()[0], density)
+  WARN("clumped: " << clumped_part(particles, particles.bodies()[0])
                    << ", farthest from its place: " << farthest_from_places(simulation));
   REQUIRE(warnings.size() == 1);
   CHECK(warnings[0].name == "clumping");
@@ -73,12 +73,12 @@ TEST_CASE("Watch: a lattice has no clumps, however fine it is pressed") {
   auto particles =
       particles_on(Space::plane_strain, {{"square", "metal", spacing, {0.0, 0.0}, {12, 12}, {0.0, 0.0}}}, density);
   auto simulation = simulation_of("time.end = 1.0\n" + metal, std::move(particles));
-  CHECK(clumped_part(simulation.particles(), simulation.particles().bodies()[0], density) == 0.0);
+  CHECK(clumped_part(simulation.particles(), simulation.particles().bodies()[0]) == 0.0);
   auto pressed = simulation.particles();
   for (auto& x : pressed.reals(Field::position)) x *= 0.25;
-  CHECK(clumped_part(pressed, pressed.bodies()[0], density) == 1.0);  // the density has not followed
+  CHECK(clumped_part(pressed, pressed.bodies()[0]) == 1.0);  // the density has not followed
   for (auto& rho : pressed.reals(Field::density)) rho *= 16.0;
-  CHECK(clumped_part(pressed, pressed.bodies()[0], density) == 0.0);
+  CHECK(clumped_part(pressed, pressed.bodies()[0]) == 0.0);
 }
 
 TEST_CASE("Reference configuration: one that is turned inside out ends the run by that name") {

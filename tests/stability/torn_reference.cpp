@@ -106,8 +106,7 @@ TEST_CASE("Reference configuration: pieces that cracks have parted run into each
     Watch watch;
     watch.look(simulation.particles(), simulation.settings(), simulation.scheme().warnings());
     WARN(fmt::format("{:.0f} % of the particles are too near {}",
-                     100.0 * interpenetrated_part(simulation.particles(), simulation.particles().bodies()[0],
-                                                  simulation.settings().materials),
+                     100.0 * interpenetrated_part(simulation.particles(), simulation.particles().bodies()[0]),
                      contact));
     CHECK(watch.names().contains("interpenetration") == contact.empty());
   }
