@@ -1,9 +1,12 @@
 // The page about runs: whole, well-formed, and nothing that it would have to fetch.
 
+#include <vtkImageData.h>
+#include <vtkPNGReader.h>
 #include <vtkSmartPointer.h>
 #include <vtkXMLDataElement.h>
 #include <vtkXMLUtilities.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -53,6 +56,28 @@ bool is_well_formed(const std::string& page) {
   const auto root = vtkSmartPointer<vtkXMLDataElement>::Take(
       vtkXMLUtilities::ReadElementFromString(page.substr(page.find('\n') + 1).c_str()));
   return root && std::string(root->GetName()) == "html" && root->FindNestedElementWithName("body");
+}
+
+/// Red, the least, the first and the largest of a picture's pixels, 0 to 255.
+struct Shades {
+  double least = 255.0, corner = 0.0, largest = 0.0;
+};
+
+Shades shades_of(const std::string& path) {
+  const auto reader = vtkSmartPointer<vtkPNGReader>::New();
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  auto* image = reader->GetOutput();
+  const auto* size = image->GetDimensions();
+  Shades shades;
+  shades.corner = image->GetScalarComponentAsDouble(0, 0, 0, 0);
+  for (int y = 0; y < size[1]; ++y)
+    for (int x = 0; x < size[0]; ++x) {
+      const double red = image->GetScalarComponentAsDouble(x, y, 0, 0);
+      shades.least = std::min(shades.least, red);
+      shades.largest = std::max(shades.largest, red);
+    }
+  return shades;
 }
 
 }  // namespace
@@ -105,6 +130,33 @@ TEST_CASE("Page: a folder that is no run, or has not been measured, is refused")
   CHECK_THAT(fault_of([&] { read_run_data(folder.path()); }), Contains("has not been measured"));
   std::ofstream(folder.file("measurements.json")) << "[1]";
   CHECK_THAT(fault_of([&] { read_run_data(folder.path()); }), Contains("not what"));
+}
+
+TEST_CASE("Page: headless Chromium shows it, light or dark as is preferred, and prints it", "[.][browser]") {
+  const TemporaryFolder folder;
+  write_run(folder.path(), 2.1e9);
+  write_page({folder.path()}, folder.file("report.html"));
+  const auto chromium = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> words{"/usr/bin/chromium", "--headless=new", "--no-sandbox", "--disable-gpu",
+                                   "--window-size=1000,1400"};
+    words.insert(words.end(), options.begin(), options.end());
+    words.push_back("file://" + folder.file("report.html"));
+    const auto outcome = run_in(folder.path(), words);
+    REQUIRE(outcome.code == 0);
+    return outcome.output;
+  };
+  CHECK_THAT(chromium({"--dump-dom"}), Contains("<h2>") && Contains("2.1 GPa ± ") && Contains("</svg>"));
+  chromium({"--screenshot=" + folder.file("light.png")});
+  chromium({"--force-dark-mode", "--screenshot=" + folder.file("dark.png")});
+  const auto light = shades_of(folder.file("light.png")), dark = shades_of(folder.file("dark.png"));
+  CHECK(light.corner > 240.0);
+  CHECK(light.least < 60.0);  // what is written
+  CHECK(dark.corner < 60.0);
+  CHECK(dark.largest > 200.0);
+  chromium({"--print-to-pdf=" + folder.file("report.pdf")});
+  const auto printed = content_of(folder.file("report.pdf"));
+  CHECK_THAT(printed, Catch::StartsWith("%PDF"));
+  CHECK(printed.size() > 10000);
 }
 
 }  // namespace tektite::test
