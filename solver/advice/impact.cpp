@@ -10,10 +10,6 @@
 namespace tektite {
 namespace {
 
-double shear_modulus_of(const Material& material) {
-  return std::visit([](const auto& strength) { return strength.shear_modulus; }, material.strength);
-}
-
 /// Solids have u_s = c0 + s u_p with s from 1 to 2 (Marsh 1980, LASL Shock Hugoniot Data). What bends less or more is
 /// no fit to a solid's Hugoniot, and tells where the compression is no longer small.
 constexpr double least_slope = 1.0, largest_slope = 2.0;

@@ -26,6 +26,11 @@ inline double bulk_modulus_of(const Material& material) {
                     material.eos);
 }
 
+/// μ in Pa, zero where there is no strength.
+inline double shear_modulus_of(const Material& material) {
+  return std::visit([](const auto& model) { return model.shear_modulus; }, material.strength);
+}
+
 /// Reads every [material.NAME]; throws InputError.
 inline std::map<std::string, Material> read_materials(Section& root) {
   std::map<std::string, Material> materials;

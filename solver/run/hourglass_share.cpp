@@ -108,7 +108,7 @@ double share_in(const Particles& particles, const Body& body, double shear_modul
 }  // namespace
 
 double hourglass_share(const Particles& particles, const Body& body, const Material& material) {
-  const double shear = std::visit([](const auto& model) { return model.shear_modulus; }, material.strength);
+  const double shear = shear_modulus_of(material);
   if (!particles.has(Field::reference_position) || shear == 0.0) return 0.0;
   const double bulk = bulk_modulus_of(material);
   return particles.dimensions() == 1   ? share_in<1>(particles, body, shear, bulk)

@@ -21,4 +21,9 @@ inline double room_of(const Particles& particles, const Body& body, std::size_t 
   return room / (hoops == 1 ? 2.0 * std::numbers::pi * radius : 4.0 * std::numbers::pi * radius * radius);
 }
 
+/// The distance in m that a square lattice of such particles has.
+inline double spacing_of(const Particles& particles, const Body& body, std::size_t i) {
+  return std::pow(room_of(particles, body, i), 1.0 / particles.dimensions());
+}
+
 }  // namespace tektite

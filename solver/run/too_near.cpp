@@ -21,7 +21,7 @@ struct Crowd {
   void add(const Particles& particles, const Body& body, std::size_t i) {
     members.push_back(i);
     x.push_back(particles.vectors<D>(Field::position)[i]);
-    near.push_back(too_near_distance * std::pow(room_of(particles, body, i), 1.0 / D));
+    near.push_back(too_near_distance * spacing_of(particles, body, i));
   }
 };
 

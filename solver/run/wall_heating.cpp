@@ -27,14 +27,11 @@ double heat_at(const Particles& particles, const Body& body, const SymmetryPlane
   const auto distance = [&](std::size_t i) {
     return std::abs(particles.reals(Field::position)[d * i + static_cast<std::size_t>(plane.axis)] - plane.at);
   };
-  const auto spacing = [&](std::size_t i) {
-    return std::pow(room_of(particles, body, i), 1.0 / static_cast<double>(d));
-  };
   if (body.range.size() == 0) return 1.0;
   std::size_t first = body.range.begin;
   for (auto i = body.range.begin; i < body.range.end; ++i)
     if (distance(i) < distance(first)) first = i;
-  const double here = spacing(first);
+  const double here = spacing_of(particles, body, first);
   if (distance(first) > here) return 1.0;
   Layer wall, inner, outer;
   for (auto i = body.range.begin; i < body.range.end; ++i) {

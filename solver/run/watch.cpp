@@ -14,7 +14,7 @@ bool is_gas(const Material& material) { return std::holds_alternative<IdealGas>(
 
 /// Poisson's ratio at rest; a half where there is no shear modulus.
 double poisson_ratio(const Material& material) {
-  const double shear = std::visit([](const auto& model) { return model.shear_modulus; }, material.strength);
+  const double shear = shear_modulus_of(material);
   if (shear == 0.0) return 0.5;
   const double bulk = bulk_modulus_of(material);
   return (3.0 * bulk - 2.0 * shear) / (6.0 * bulk + 2.0 * shear);
@@ -30,12 +30,14 @@ void Watch::tell(std::vector<Warning>& found, const std::string& name, const std
 void Watch::look_at(const Particles& particles, const Body& body, const RunSettings& settings,
                     std::vector<Warning>& found) {
   const auto& material = settings.materials.at(body.material);
-  if (const double part = clumped_part(particles, body); part > too_near_share)
-    tell(found, "clumping", body.name,
-         fmt::format("{:.0f} % of the particles of {} lie nearer to another one than a third of their spacing, as the "
-                     "tensile instability leaves them: cracks and fragments there are not the material's; "
-                     "total-Lagrangian kernels or scheme.artificial_stress may mend it",
-                     100.0 * part, body.name));
+  if (!is_gas(material))
+    if (const double part = clumped_part(particles, body); part > too_near_share)
+      tell(
+          found, "clumping", body.name,
+          fmt::format("{:.0f} % of the particles of {} lie nearer to another one than a third of their spacing, as the "
+                      "tensile instability leaves them: cracks and fragments there are not the material's; "
+                      "total-Lagrangian kernels or scheme.artificial_stress may mend it",
+                      100.0 * part, body.name));
   if (const double part = interpenetrated_part(particles, body); part > too_near_share)
     tell(found, "interpenetration", body.name,
          fmt::format("{:.0f} % of the particles of {} lie nearer than a third of their spacing to particles that were "

@@ -32,7 +32,7 @@ inline constexpr double locking_ratio = 0.489;
 class Watch {
  public:
   /// What is found now, or known by the scheme, and has not been told yet. Names of what is found:
-  ///   clumping          Eulerian particles of a body lie in clumps: the tensile instability
+  ///   clumping          Eulerian particles of a body that is no gas lie in clumps: the tensile instability
   ///   interpenetration  bodies, or parts of a total-Lagrangian one, have run into each other
   ///   hourglass         total-Lagrangian particles move as their kernels do not see: zero-energy modes, slip
   ///   density-misfit    densities of Eulerian particles have run away from the places of these

@@ -38,14 +38,12 @@ class GodunovPmScheme final : public GodunovScheme<space, Kernel, ContactStateRe
     {
       const auto scope = profile_.time("assemble");
       materials_.for_each_run([&](const Run& run) {
-        const double shear_modulus =
-            std::visit([](const auto& model) { return model.shear_modulus; }, run.material->strength);
         run_through(run.range, AssembleContactStates<D, Base::plane_stress>{
                                    p.template vectors<D>(Field::position), p.template vectors<D>(Field::velocity),
                                    p.template symmetrics<D>(Field::deviatoric_stress), p.scalars(Field::mass),
                                    p.scalars(Field::density), p.scalars(Field::pressure), p.scalars(Field::wave_speed),
-                                   p.scalars(Field::smoothing_length), this->thickness(), shear_modulus,
-                                   membrane_density(), records_.data()});
+                                   p.scalars(Field::smoothing_length), this->thickness(),
+                                   shear_modulus_of(*run.material), membrane_density(), records_.data()});
       });
       neighbourhood_.mirror().fill(records_, p.count());
     }

@@ -21,7 +21,7 @@ class HourglassControl {
   HourglassControl(std::size_t count, const Materials& materials, double coefficient)
       : stiffness_(count), power_(count) {
     materials.for_each_run([&](const auto& run) {
-      const double modulus = std::visit([](const auto& model) { return model.shear_modulus; }, run.material->strength);
+      const double modulus = shear_modulus_of(*run.material);
       run_through(run.range, [&](std::size_t i) { stiffness_[i] = coefficient * modulus; });
     });
   }

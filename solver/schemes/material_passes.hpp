@@ -91,10 +91,8 @@ class MaterialPasses {
   }
 
   void evaluate_wave_speed(const Run& run) const {
-    const double shear_modulus =
-        std::visit([](const auto& model) { return model.shear_modulus; }, run.material->strength);
     run_through(run.range,
-                EvaluateWaveSpeed{shear_modulus, particles_.scalars(Field::density),
+                EvaluateWaveSpeed{shear_modulus_of(*run.material), particles_.scalars(Field::density),
                                   particles_.scalars(Field::sound_speed), particles_.scalars(Field::wave_speed)});
   }
 

@@ -3,9 +3,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "run/watch.hpp"
 #include "support/lattice.hpp"
 #include "support/lattice_sums.hpp"
+#include "support/said.hpp"
 
 using namespace tektite;
 using namespace tektite::test;
@@ -16,12 +16,6 @@ constexpr double spacing = 1e-3, density = 2785.0;
 const std::string metal =
     "[material.metal]\ndensity = 2785.0\neos = { model = 'linear', bulk_modulus = 79e9 }\n"
     "strength = { model = 'elastic', shear_modulus = 27.6e9 }\n";
-
-std::set<std::string> names_of(const Simulation& simulation) {
-  Watch watch;
-  watch.look(simulation.particles(), simulation.settings(), simulation.scheme().warnings());
-  return watch.names();
-}
 
 struct Strained {
   double seen;  ///< of the rate of deformation along a strip, in its middle
@@ -40,7 +34,7 @@ Strained drawn_strip(const std::string& scheme, int rows) {
   simulation.step();
   const auto l = by_id(simulation.particles(), Field::velocity_gradient);
   const std::size_t middle = static_cast<std::size_t>((rows / 2) * length + length / 2);
-  return {l[4 * middle] / rate, names_of(simulation)};
+  return {l[4 * middle] / rate, said(simulation)};
 }
 
 /// What the plain sum over a single row gives to a slope of one.
@@ -77,7 +71,7 @@ Lower disordered(double ratio, double disorder) {
       std::move(particles));
   simulation.step();
   Lower lower;
-  lower.names = names_of(simulation);
+  lower.names = said(simulation);
   const auto remark = simulation.scheme().closing_remark();
   if (!remark.empty()) {
     const auto at = remark.find("first order in ");

@@ -5,8 +5,8 @@
 
 #include "run/hourglass_share.hpp"
 #include "run/too_near.hpp"
-#include "run/watch.hpp"
 #include "support/lattice.hpp"
+#include "support/said.hpp"
 
 using namespace tektite;
 using namespace tektite::test;
@@ -42,9 +42,7 @@ Slip slipped(const std::string& scheme, double spacings) {
       std::move(particles));
   run_to_the_end(simulation);
   Slip slip{0.0, 0.0, {}};
-  Watch watch;
-  watch.look(simulation.particles(), simulation.settings(), simulation.scheme().warnings());
-  slip.names = watch.names();
+  slip.names = said(simulation);
   slip.share = hourglass_share(simulation.particles(), simulation.particles().bodies()[0],
                                simulation.settings().materials.at("soft"));
   const auto v = by_id(simulation.particles(), Field::velocity);
@@ -103,11 +101,9 @@ TEST_CASE("Reference configuration: layers that slip past each other are no line
 TEST_CASE("Reference configuration: pieces that cracks have parted run into each other, and the run says so") {
   for (const std::string contact : {"", "contact.itself = true\n"}) {
     const auto simulation = meeting_pieces(contact);
-    Watch watch;
-    watch.look(simulation.particles(), simulation.settings(), simulation.scheme().warnings());
     WARN(fmt::format("{:.0f} % of the particles are too near {}",
                      100.0 * interpenetrated_part(simulation.particles(), simulation.particles().bodies()[0]),
                      contact));
-    CHECK(watch.names().contains("interpenetration") == contact.empty());
+    CHECK(said(simulation).contains("interpenetration") == contact.empty());
   }
 }
