@@ -20,6 +20,13 @@ double poisson_ratio(const Material& material) {
   return (3.0 * bulk - 2.0 * shear) / (6.0 * bulk + 2.0 * shear);
 }
 
+/// Beside total-Lagrangian kernels, as far as the scheme knows it.
+std::string_view other_remedy_for_clumps(const SchemeSettings& scheme, int dimensions) {
+  const bool knows = dimensions == 2 && (scheme.type == "eulerian" || scheme.type == "adaptle");
+  if (!knows) return "";
+  return scheme.artificial_stress ? " or a larger scheme.artificial_stress.epsilon" : " or scheme.artificial_stress";
+}
+
 }  // namespace
 
 void Watch::tell(std::vector<Warning>& found, const std::string& name, const std::string& body, std::string text) {
@@ -36,8 +43,8 @@ void Watch::look_at(const Particles& particles, const Body& body, const RunSetti
           found, "clumping", body.name,
           fmt::format("{:.0f} % of the particles of {} lie nearer to another one than a third of their spacing, as the "
                       "tensile instability leaves them: cracks and fragments there are not the material's; "
-                      "total-Lagrangian kernels or scheme.artificial_stress may mend it",
-                      100.0 * part, body.name));
+                      "total-Lagrangian kernels{} may mend it",
+                      100.0 * part, body.name, other_remedy_for_clumps(settings.scheme, particles.dimensions())));
   if (const double part = interpenetrated_part(particles, body); part > too_near_share)
     tell(found, "interpenetration", body.name,
          fmt::format("{:.0f} % of the particles of {} lie nearer than a third of their spacing to particles that were "

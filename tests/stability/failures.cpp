@@ -58,8 +58,17 @@ TEST_CASE("Tensile instability: a pulled square of Eulerian particles clumps, an
                    << ", farthest from its place: " << farthest_from_places(simulation));
   REQUIRE(warnings.size() == 1);
   CHECK(warnings[0].name == "clumping");
+  CHECK_THAT(warnings[0].text, Catch::Contains("kernels or scheme.artificial_stress may mend it"));
   CHECK(watch.names().contains("clumping"));
   CHECK(watch.look(particles, simulation.settings(), {}).empty());  // told once
+}
+
+TEST_CASE("Tensile instability: no remedy is named that the scheme does not know") {
+  const auto simulation = pulled_square("godunov-split");
+  const auto warnings = Watch().look(simulation.particles(), simulation.settings(), {});
+  REQUIRE(!warnings.empty());
+  CHECK(warnings[0].name == "clumping");
+  CHECK_THAT(warnings[0].text, Catch::Contains("total-Lagrangian kernels may mend it"));
 }
 
 TEST_CASE("Tensile instability: with kernels of the reference configuration the pulled square stays as it is") {
