@@ -14,7 +14,8 @@ namespace {
 /// lets it bear.
 std::optional<double> flow_stress(const Material& material, double rate) {
   return std::visit(
-      [rate]<class Model>(const Model& model) -> std::optional<double> {
+      [rate](const auto& model) -> std::optional<double> {
+        using Model = std::decay_t<decltype(model)>;
         if constexpr (Model::kind.yields && !Model::kind.crushes) {
           FlowState state;
           state.plastic_strain_rate = rate;

@@ -107,7 +107,8 @@ void build_block(PairList::Block& block, std::size_t end, const CellGrid<D>& gri
     while (found % pack_width != 0) neighbours[found++] = static_cast<std::uint32_t>(i);
     block.first.push_back(static_cast<std::uint32_t>(found));
   }
-  block.neighbours.assign(neighbours.begin(), neighbours.begin() + static_cast<std::ptrdiff_t>(found));
+  const auto kept = std::span(neighbours).first(found);
+  block.neighbours.assign(kept.begin(), kept.end());
 }
 
 }  // namespace

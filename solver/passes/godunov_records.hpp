@@ -90,9 +90,7 @@ struct PairAxis {
   Pack distance;
   Pack slope;  ///< dW/dr, so that ∇W = slope e; zero beyond the support
 
-  PairAxis(const Vector<Pack, D>& x, const Pack& inverse_h) {
-    using std::experimental::sqrt;
-    distance = sqrt(dot(x, x));
+  PairAxis(const Vector<Pack, D>& x, const Pack& inverse_h) : distance(sqrt(dot(x, x))) {
     // 0/0 is avoided: where i meets itself, e is 0 times this.
     const Pack inverse = Pack(1.0) / larger(distance, Pack(std::numeric_limits<double>::min()));
     for (int k = 0; k < D; ++k) e[k] = inverse * x[k];

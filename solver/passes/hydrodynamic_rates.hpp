@@ -168,11 +168,11 @@ struct HydrodynamicRates {
   /// Brings both sides to the middle of the step, each with its own gradients.
   static void evolve(const Self& a, const Pack* slopes, const Vector<Pack, D>& e, const Pack& half_step,
                      RiemannSide<Pack>& left, RiemannSide<Pack>& right) {
-    const auto advance = [&](RiemannSide<Pack>& side, const Pack* pressure_gradient, const Pack* velocity_gradient) {
-      Pack divergence = velocity_gradient[0], push = pressure_gradient[0] * e[0];
+    const auto advance = [&](RiemannSide<Pack>& side, const Pack* slope_of_pressure, const Pack* slopes_of_velocity) {
+      Pack divergence = slopes_of_velocity[0], push = slope_of_pressure[0] * e[0];
       for (int k = 1; k < D; ++k) {
-        divergence += velocity_gradient[k * D + k];
-        push += pressure_gradient[k] * e[k];
+        divergence += slopes_of_velocity[k * D + k];
+        push += slope_of_pressure[k] * e[k];
       }
       const Pack thinning = half_step * divergence * side.density;
       side.pressure -= thinning * side.sound_speed * side.sound_speed;

@@ -20,7 +20,9 @@ struct VelocityGradient {
     Pack h;
     typename Gradients::Self gradients;
   };
-  using Sums = struct { Tensor<Pack, D> gradient = Tensor<Pack, D>::zero(); };
+  struct Sums {
+    Tensor<Pack, D> gradient = Tensor<Pack, D>::zero();
+  };
 
   Self begin(std::size_t i) const {
     return {broadcast(records[i].x), broadcast(records[i].v), records[i].smoothing_length, gradients.begin(i)};

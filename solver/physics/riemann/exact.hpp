@@ -48,14 +48,16 @@ struct ExactRiemann {
  private:
   template <class T>
   struct Gas {
-    T pressure, stiffness, density, sound_speed, gamma;
+    T pressure, density, sound_speed;
+    T gamma;  ///< kept above 1, which is the limit of the formulas below and not in their range
+    T stiffness;
 
     explicit Gas(const RiemannSide<T>& side)
-        : pressure(side.pressure), density(side.density), sound_speed(side.sound_speed) {
-      // γ = 1 is the limit of the formulas below and not in their range.
-      gamma = larger(T(4.0) * side.shock_slope - T(1.0), T(1.0 + 1e-6));
-      stiffness = density * sound_speed * sound_speed / gamma - pressure;
-    }
+        : pressure(side.pressure),
+          density(side.density),
+          sound_speed(side.sound_speed),
+          gamma(larger(T(4.0) * side.shock_slope - T(1.0), T(1.0 + 1e-6))),
+          stiffness(density * sound_speed * sound_speed / gamma - pressure) {}
 
     /// Change of velocity across the wave that brings this side to p*, above zero where it compresses, and its slope.
     void wave(const T& star, T& change, T& slope) const {
