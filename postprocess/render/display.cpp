@@ -28,7 +28,8 @@ constexpr const char* advice = "the X server Xvfb (Debian package xvfb) could no
   dup2(nowhere, STDOUT_FILENO);
   dup2(nowhere, STDERR_FILENO);
   const auto number = std::to_string(report);
-  execlp("Xvfb", "Xvfb", "-displayfd", number.c_str(), "-screen", "0", "1280x1024x24", "-nolisten", "tcp",
+  // Between two pictures nobody is connected: a server that then resets itself may turn the next one away.
+  execlp("Xvfb", "Xvfb", "-displayfd", number.c_str(), "-screen", "0", "1280x1024x24", "-nolisten", "tcp", "-noreset",
          static_cast<char*>(nullptr));
   _exit(127);
 }
