@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <optional>
 #include <sstream>
 
+#include "core/unreadable.hpp"
 #include "core/plain_name.hpp"
 
 namespace tektite {
@@ -28,6 +30,12 @@ std::string read_file(const std::string& path) {
 }
 
 toml::table parse_toml(std::string_view text, const std::string& origin) {
+  if (const auto at = first_unreadable(text); at != std::string_view::npos)
+    throw InputError({{origin, static_cast<int>(1 + std::ranges::count(text.substr(0, at), '\n'))},
+                      {},
+                      {},
+                      "not TOML: a character outside of ASCII",
+                      "such characters in strings, not behind a backslash, and in comments"});
   try {
     return toml::parse(text, origin);
   } catch (const toml::parse_error& fault) {
@@ -36,6 +44,16 @@ toml::table parse_toml(std::string_view text, const std::string& origin) {
                       {},
                       fmt::format("not TOML: {}", fault.description()),
                       {}});
+  }
+}
+
+/// Nothing where it is not TOML.
+std::optional<toml::table> parse_setting(const std::string& text) {
+  if (first_unreadable(text) != std::string::npos) return std::nullopt;
+  try {
+    return toml::parse(text);
+  } catch (const toml::parse_error&) {
+    return std::nullopt;
   }
 }
 
@@ -181,20 +199,13 @@ void Document::set(const std::string& setting) {
   if (equals == std::string::npos || equals == 0 || setting.find('\n') != std::string::npos) throw InputError(fault);
   const auto key = setting.substr(0, equals);
   const auto value = setting.substr(equals + 1);
-  toml::table over;
-  try {
-    over = toml::parse(key + " = " + value);
-  } catch (const toml::parse_error&) {
-    try {
-      over = toml::parse(key + " = \"" + value + '"');
-    } catch (const toml::parse_error&) {
-      throw InputError(fault);
-    }
-  }
+  auto over = parse_setting(key + " = " + value);
+  if (!over) over = parse_setting(key + " = \"" + value + '"');
+  if (!over) throw InputError(fault);
   Document part;
-  part.remember(over, "set", fault.place.file);
+  part.remember(*over, "set", fault.place.file);
   for (auto& [name, place] : part.places_) places_[name] = {place.file, 0};
-  lay_over(*table_, over, "", "set");
+  lay_over(*table_, *over, "", "set");
 }
 
 std::string join(std::span<const std::string> words) { return fmt::format("{}", fmt::join(words, ", ")); }

@@ -121,6 +121,14 @@ TEST_CASE("Document: text that is no TOML is told with its line") {
   CHECK_THAT(fault_of([&] { twice.load(); }), Contains(":3: not TOML") && Contains("'a'"));
 }
 
+TEST_CASE("Document: a character outside of ASCII where TOML has none is told with its line") {
+  const Fixture file("name = 'é'\n[body.kügelchen]\n");
+  CHECK_THAT(fault_of([&] { file.load(); }),
+             Contains(file.path + ":2: not TOML: a character outside of ASCII (allowed:"));
+  CHECK_THAT(fault_of([&] { Fixture().load("", {"é=1"}); }), Contains("not a setting"));
+  CHECK(Fixture().load("", {"title=é"}).root().text("title") == "é");
+}
+
 TEST_CASE("Document: a missing file and a folder are no scenes") {
   const test::TemporaryFolder folder;
   CHECK_THAT(fault_of([&] { Document::load(folder.file("none.toml"), "", {}); }), Contains("cannot be opened"));
