@@ -42,7 +42,7 @@ bool can_be_read(const std::string& path, const std::function<void()>& read) {
   const pid_t child = ::fork();
   if (child < 0) throw RunError("no process can be started");
   if (child == 0) {
-    for (const int signal : {SIGINT, SIGTERM}) ::signal(signal, SIG_DFL);
+    for (const int signal : {SIGINT, SIGTERM, SIGALRM}) ::signal(signal, SIG_DFL);
     set_bounds(std::filesystem::file_size(path));
     int code = 0;
     try {
