@@ -64,8 +64,8 @@ std::string number(double value) {
 }
 
 std::string list(const std::vector<double>& values) {
-  std::vector<std::string> texts;
-  for (const double value : values) texts.push_back(number(value));
+  std::vector<std::string> texts(values.size());
+  std::ranges::transform(values, texts.begin(), number);
   return fmt::format("[{}]", fmt::join(texts, ", "));
 }
 
