@@ -8,10 +8,10 @@
 
 #include <cerrno>
 #include <chrono>
-#include <cstring>
 #include <thread>
 
 #include "core/error.hpp"
+#include "core/system_words.hpp"
 
 namespace tektite {
 namespace {
@@ -24,7 +24,7 @@ constexpr auto pause = std::chrono::milliseconds(20);
 
 RunError not_lockable(const fs::path& path, int reason) {
   return RunError(
-      fmt::format("{}: the folder cannot be locked for this run: {}", path.string(), std::strerror(reason)));
+      fmt::format("{}: the folder cannot be locked for this run: {}", path.string(), words_for_error(reason)));
 }
 
 /// False where another program has it. Errors of file systems that know no locks count as locked.

@@ -4,11 +4,11 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 
 #include "core/error.hpp"
+#include "core/system_words.hpp"
 
 namespace tektite {
 
@@ -17,7 +17,7 @@ void bring_to_disk(const std::string& path) {
   const bool done = file >= 0 && ::fsync(file) == 0;
   const int reason = errno;
   if (file >= 0) ::close(file);
-  if (!done) throw RunError(path + ": cannot be brought to the disk: " + std::strerror(reason));
+  if (!done) throw RunError(path + ": cannot be brought to the disk: " + words_for_error(reason));
 }
 
 void write_beside(const std::string& path, const std::function<void(const std::string&)>& write) {

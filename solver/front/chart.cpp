@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -12,6 +11,7 @@
 #include "core/error.hpp"
 #include "core/run_lock.hpp"
 #include "core/study.hpp"
+#include "core/system_words.hpp"
 #include "core/version.hpp"
 #include "core/write_beside.hpp"
 #include "front/commands.hpp"
@@ -61,7 +61,7 @@ bool is_done(const MemberFiles& files, const std::string& identity) {
 
 /// The error that a failed program has told, without its own name and in one line.
 std::string reason_of(const MemberFiles& files, int code) {
-  if (code < 0) return fmt::format("ended by signal {} ({})", -code, ::strsignal(-code));
+  if (code < 0) return fmt::format("ended by signal {} ({})", -code, words_for_signal(-code));
   std::istringstream lines(content_of(files.faults));
   const std::string mark = ": error: ";
   for (std::string line; std::getline(lines, line);)

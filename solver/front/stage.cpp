@@ -9,11 +9,11 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 
 #include "core/error.hpp"
 #include "core/program.hpp"
+#include "core/system_words.hpp"
 
 namespace tektite::front {
 namespace {
@@ -92,7 +92,7 @@ void lead(int stream, const std::string& file) {
   lead(STDOUT_FILENO, streams.output);
   lead(STDERR_FILENO, streams.faults);
   ::execv(words[0], words);
-  fmt::print(stderr, "tektite: error: {}: cannot be started: {}\n", words[0], std::strerror(errno));
+  fmt::print(stderr, "tektite: error: {}: cannot be started: {}\n", words[0], words_for_error(errno));
   ::_exit(exit_failed);
 }
 
@@ -129,7 +129,7 @@ pid_t spawn(const std::string& path, const Words& arguments, const Streams& stre
   const pid_t front = ::getpid();
   const pid_t child = ::fork();
   if (child == 0) become(vector.data(), streams, mask, front);
-  if (child < 0) throw RunError(fmt::format("{}: cannot be started: {}", path, std::strerror(errno)));
+  if (child < 0) throw RunError(fmt::format("{}: cannot be started: {}", path, words_for_error(errno)));
   return child;
 }
 
@@ -143,7 +143,7 @@ int run_stage(Stage stage, const Words& arguments, Show show) {
   child_running = 0;
   if (WIFSIGNALED(status))
     throw RunError(fmt::format("{} was ended by signal {} ({})", program_of(stage), WTERMSIG(status),
-                               ::strsignal(WTERMSIG(status))));
+                               words_for_signal(WTERMSIG(status))));
   const int code = WEXITSTATUS(status);
   if (code == 0 && signal_received != 0) throw RunError(fmt::format("interrupted in {}", program_of(stage)));
   return code;
@@ -154,7 +154,7 @@ void become_stage(Stage stage, const Words& arguments) {
   auto words = with_program(path, arguments);
   std::fflush(stdout);
   ::execv(path.c_str(), argument_vector(words).data());
-  throw RunError(fmt::format("{}: cannot be started: {}", path, std::strerror(errno)));
+  throw RunError(fmt::format("{}: cannot be started: {}", path, words_for_error(errno)));
 }
 
 }  // namespace tektite::front
