@@ -13,16 +13,19 @@ template <class Value, class Body, class Join>
 Value reduce(std::size_t count, const Value& start, const Body& body, const Join& join) {
   constexpr std::size_t part_size = 4096;
   const std::size_t parts = (count + part_size - 1) / part_size;
-  std::vector<Value> values(parts, start);
+  struct Part {  // not the bare value: a std::vector<bool> packs those of several threads into one word
+    Value value;
+  };
+  std::vector<Part> values(parts, Part{start});
 #pragma omp parallel for schedule(static)
   for (std::size_t part = 0; part < parts; ++part) {
     Value value = start;
     const std::size_t end = std::min(count, (part + 1) * part_size);
     for (std::size_t i = part * part_size; i < end; ++i) body(value, i);
-    values[part] = value;
+    values[part].value = value;
   }
   Value whole = start;
-  for (const auto& value : values) join(whole, value);
+  for (const auto& part : values) join(whole, part.value);
   return whole;
 }
 
