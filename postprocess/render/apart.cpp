@@ -72,10 +72,7 @@ Told draw_in_child(const Draw& draw) {
 }  // namespace
 
 std::vector<std::string> draw_apart(const Draw& draw) {
-  // Where several programs draw at once, one may lose its X server to another's that ends: a second try finds a new
-  // one.
   auto told = draw_in_child(draw);
-  if (told.complaint) told = draw_in_child(draw);
   if (told.complaint)
     told.lines.push_back("warning: the drawing ended early" + *told.complaint +
                          "; numbers and ParaView files are written");

@@ -8,8 +8,8 @@
 #include <optional>
 #include <sstream>
 
-#include "core/unreadable.hpp"
 #include "core/plain_name.hpp"
+#include "core/unreadable.hpp"
 
 namespace tektite {
 namespace {

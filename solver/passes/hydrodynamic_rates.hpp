@@ -169,12 +169,12 @@ struct HydrodynamicRates {
   static void evolve(const Self& a, const Pack* slopes, const Vector<Pack, D>& e, const Pack& half_step,
                      RiemannSide<Pack>& left, RiemannSide<Pack>& right) {
     const auto advance = [&](RiemannSide<Pack>& side, const Pack* slope_of_pressure, const Pack* slopes_of_velocity) {
-      Pack divergence = slopes_of_velocity[0], push = slope_of_pressure[0] * e[0];
+      Pack expansion = slopes_of_velocity[0], push = slope_of_pressure[0] * e[0];
       for (int k = 1; k < D; ++k) {
-        divergence += slopes_of_velocity[k * D + k];
+        expansion += slopes_of_velocity[k * D + k];
         push += slope_of_pressure[k] * e[k];
       }
-      const Pack thinning = half_step * divergence * side.density;
+      const Pack thinning = half_step * expansion * side.density;
       side.pressure -= thinning * side.sound_speed * side.sound_speed;
       side.velocity -= half_step * push / side.density;
       side.density -= thinning;

@@ -5,6 +5,7 @@
 #include <string>
 
 namespace tektite {
+
 TEST_CASE("Unreadable: characters outside of ASCII may stand in strings and comments") {
   for (const std::string text :
        {"", "a = 1", "# é", "# é\n# é", "a = 'é' # é", "a = \"é\\\"é\"", "a = 'é\\' # é", "a = '''é\né''é''''' # é",
