@@ -2,11 +2,13 @@
 
 #include "core/error.hpp"
 #include "core/program.hpp"
+#include "parallel/threads.hpp"
 #include "run/run.hpp"
 #include "stability/analyse.hpp"
 
 int main(int argc, char** argv) {
   using namespace tektite;
+  wait_briefly(argv);
   return run_program("tektite-solve", [&] {
     namespace po = boost::program_options;
     CommandLine line;
@@ -18,7 +20,8 @@ int main(int argc, char** argv) {
         "Computes the run whose initial particles are DIR/particles.h5; leaves DIR/snapshots/*.h5, DIR/history.csv,\n"
         "DIR/solve.json and DIR/run.log.";
     line.options.add_options()("resume", "go on from the newest snapshot")(
-        "threads", po::value<int>()->value_name("N")->default_value(0), "threads to use (0: all that there are)")(
+        "threads", po::value<int>()->value_name("N")->default_value(0),
+        "threads to use (0: all processors, if each has a thousand particles)")(
         "check", po::value<std::string>()->value_name("FILE.h5"),
         "say what a run of these particles would do; compute nothing that is kept")(
         "advice", po::value<std::string>()->value_name("FILE"),

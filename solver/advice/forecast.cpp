@@ -1,7 +1,5 @@
 #include "advice/forecast.hpp"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +7,7 @@
 #include "output/history.hpp"
 #include "output/probes.hpp"
 #include "output/summary.hpp"
+#include "parallel/threads.hpp"
 
 namespace tektite {
 namespace {
@@ -61,7 +60,7 @@ Forecast forecast_of(Simulation& simulation, const std::vector<Meeting>& meeting
          (simulation.steps_taken() < least_steps || timer.cpu_seconds() < calibration_seconds))
     simulation.step();
   const auto timed = static_cast<double>(std::max<std::int64_t>(1, simulation.steps_taken() - 1));
-  const double seconds = timer.cpu_seconds() / timed / omp_get_max_threads();
+  const double seconds = timer.cpu_seconds() / timed / threads_in_use();
 
   const double dt = meetings.empty()
                         ? simulation.last_step().dt

@@ -1,11 +1,11 @@
 #include "advice/print.hpp"
 
 #include <fmt/format.h>
-#include <omp.h>
 
 #include <cmath>
 
 #include "output/progress.hpp"
+#include "parallel/threads.hpp"
 
 namespace tektite {
 namespace {
@@ -40,7 +40,7 @@ void print(const Forecast& forecast, const Simulation& simulation) {
              settings.from_contact ? " after contact" : "", forecast.steps, shown_time(forecast.first_dt));
   for (const auto& stop : settings.stops) fmt::print("stops earlier where {}\n", in_words(stop));
   fmt::print("about {} on {} threads; memory {}, {:.0f} bytes a particle; disk {}, {} a snapshot\n",
-             shown_duration(forecast.seconds), omp_get_max_threads(), shown_bytes(forecast.memory_bytes),
+             shown_duration(forecast.seconds), threads_in_use(), shown_bytes(forecast.memory_bytes),
              forecast.bytes_per_particle, shown_bytes(forecast.disk_bytes), shown_bytes(forecast.snapshot_bytes));
 }
 

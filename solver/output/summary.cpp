@@ -1,7 +1,6 @@
 #include "output/summary.hpp"
 
 #include <fmt/format.h>
-#include <omp.h>
 #include <sys/resource.h>
 
 #include <cmath>
@@ -10,6 +9,7 @@
 #include "core/version.hpp"
 #include "core/write_beside.hpp"
 #include "output/progress.hpp"
+#include "parallel/threads.hpp"
 
 namespace tektite {
 namespace {
@@ -44,7 +44,7 @@ RunSummary summarise(const Simulation& simulation, const RunTimer& timer, bool i
   summary.steps = simulation.steps();
   summary.time = simulation.time();
   summary.contact_time = simulation.contact_time();
-  summary.threads = omp_get_max_threads();
+  summary.threads = threads_in_use();
   summary.wall_seconds = timer.wall_seconds();
   summary.cpu_seconds = timer.cpu_seconds();
   double computing = 0.0;

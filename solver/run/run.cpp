@@ -1,7 +1,6 @@
 #include "run/run.hpp"
 
 #include <fmt/format.h>
-#include <omp.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -20,6 +19,7 @@
 #include "output/probes.hpp"
 #include "output/progress.hpp"
 #include "output/summary.hpp"
+#include "parallel/threads.hpp"
 #include "run/floating_point_traps.hpp"
 #include "run/simulation.hpp"
 #include "run/watch.hpp"
@@ -77,7 +77,7 @@ class Run {
         columns_(number_columns(simulation_.particles().dimensions(), probes_.columns(simulation_.particles()))),
         stops_(make_stops()),
         history_(make_history()) {
-    log_->info("tektite {} on {}, {} threads: {} from {}", version, host(), omp_get_max_threads(),
+    log_->info("tektite {} on {}, {} threads: {} from {}", version, host(), threads_in_use(),
                resumed_ ? "resumed" : "started", origin.file);
     const auto& particles = simulation_.particles();
     for (const auto& body : particles.bodies())
@@ -236,13 +236,13 @@ RunSettings settings_of(const Snapshot& snapshot, const std::string& file, Docum
 }  // namespace
 
 bool run(const RunOptions& options) {
-  if (options.threads > 0) omp_set_num_threads(options.threads);
   if (!fs::is_directory(options.folder))
     throw InputError({{options.folder, 0}, {}, {}, "there is no such folder", "the folder of a run"});
   const auto lock = options.lock < 0 ? std::make_unique<RunLock>(options.folder)
                                      : std::make_unique<RunLock>(options.folder, options.lock);
   const auto origin = find_origin(options);
   auto snapshot = read_snapshot(origin.file);
+  use_threads(options.threads, snapshot.particles.count());
   auto document = scene_of(snapshot, origin.file);
   auto settings = settings_of(snapshot, origin.file, document);
   snapshot.scene = document.text();
@@ -261,8 +261,8 @@ bool run(const RunOptions& options) {
 }
 
 void check(const CheckOptions& options) {
-  if (options.threads > 0) omp_set_num_threads(options.threads);
   auto snapshot = read_snapshot(options.particles);
+  use_threads(options.threads, snapshot.particles.count());
   auto document = scene_of(snapshot, options.particles);
   auto settings = settings_of(snapshot, options.particles, document);
   const auto met = meetings(snapshot.particles, settings.materials);

@@ -1,7 +1,6 @@
 #include "stability/analyse.hpp"
 
 #include <fmt/format.h>
-#include <omp.h>
 
 #include <cmath>
 #include <exception>
@@ -10,6 +9,7 @@
 
 #include "core/stability_study.hpp"
 #include "core/write_beside.hpp"
+#include "parallel/threads.hpp"
 #include "stability/amplification.hpp"
 #include "stability/largest_step.hpp"
 #include "stability/swegle.hpp"
@@ -123,7 +123,7 @@ std::string step_row(const Subject& subject, const StabilityStudy& study) {
 }  // namespace
 
 void analyse_stability(const std::string& study_file, const std::string& folder, int threads) {
-  if (threads > 0) omp_set_num_threads(threads);
+  use_threads(threads);
   auto document = Document::load(study_file, "", {});
   auto root = document.root();
   const auto study = read_stability_study(root);

@@ -5,7 +5,6 @@
 // them, which other programs on the machine disturb less. What the machine can do at most is measured first.
 
 #include <benchmark/benchmark.h>
-#include <omp.h>
 
 #include <ctime>
 #include <filesystem>
@@ -13,6 +12,7 @@
 
 #include "core/program.hpp"
 #include "machine_limits.hpp"
+#include "parallel/threads.hpp"
 #include "run/simulation.hpp"
 
 namespace {
@@ -29,7 +29,7 @@ Simulation load(const std::string& file) {
 
 void take_steps(benchmark::State& state, const std::string& file) {
   constexpr int steps = 10;
-  omp_set_num_threads(static_cast<int>(state.range(0)));
+  use_threads(static_cast<int>(state.range(0)));
   auto simulation = load(file);
   const std::clock_t start = std::clock();
   for (auto _ : state)
@@ -47,6 +47,7 @@ void take_steps(benchmark::State& state, const std::string& file) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  wait_briefly(argv);
   benchmark::Initialize(&argc, argv);
   return run_program("benchmark_steps", [&] {
     if (argc < 2) throw InputError("no particle file is named");
