@@ -11,6 +11,7 @@
 
 namespace tektite {
 
+// NOLINTNEXTLINE(bugprone-exception-escape): what JSON could throw as it goes away, it does not
 struct RunFolder {
   std::string path;                    ///< where results are written
   std::vector<std::string> snapshots;  ///< particle files by time, the initial state first; at least one

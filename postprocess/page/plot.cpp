@@ -62,15 +62,16 @@ std::string axes(const Plot& plot, const Frame& frame) {
 std::string svg_of(const Plot& plot) {
   const Frame frame{plot.least, plot.most, plot.last};
   const double legend = top + height + 40.0;
-  auto drawing =
-      fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">\n", width,
-                  legend + line_height * static_cast<double>((plot.curves.size() + 1) / 2), escaped(plot.title));
+  const std::size_t lines = (plot.curves.size() + 1) / 2;
+  auto drawing = fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">\n", width,
+                             legend + line_height * static_cast<double>(lines), escaped(plot.title));
   drawing += axes(plot, frame);
   for (std::size_t k = 0; k < plot.curves.size(); ++k) {
     drawing += fmt::format("<polyline class=\"curve\" stroke=\"{}\" points=\"{}\"/>\n", colour(k),
                            points_of(plot, plot.curves[k], frame));
+    const std::size_t line = k / 2;
     const double x = left + (k % 2 == 0 ? 0.0 : 0.5 * (width - left)),
-                 y = legend + line_height * static_cast<double>(k / 2);
+                 y = legend + line_height * static_cast<double>(line);
     drawing += fmt::format("<path class=\"curve\" stroke=\"{}\" d=\"M{:.0f},{:.0f} h24\"/>\n", colour(k), x, y - 4);
     drawing += text(x + 30, y, "start", plot.curves[k].label);
   }

@@ -11,6 +11,7 @@
 
 namespace tektite {
 
+// NOLINTNEXTLINE(bugprone-exception-escape): what JSON could throw as it goes away, it does not
 struct RunData {
   std::string folder;
   std::string title;

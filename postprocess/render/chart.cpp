@@ -22,7 +22,7 @@ std::string field_of_column(const std::string& column) {
 }
 
 std::string common_unit(const Picture& picture) {
-  const auto unit = unit_of_column(picture.columns.front());
+  auto unit = unit_of_column(picture.columns.front());
   for (const auto& column : picture.columns)
     if (unit_of_column(column) != unit)
       throw RunError(fmt::format("{} is in {} and {} in {}: they need a picture each", picture.columns.front(), unit,

@@ -74,7 +74,7 @@ PrivateDisplay::PrivateDisplay() {
     if (server_ > 0) stop(server_);
     throw RunError(advice);
   }
-  setenv("DISPLAY", (":" + number).c_str(), 1);
+  setenv("DISPLAY", (":" + number).c_str(), 1);  // NOLINT(concurrency-mt-unsafe): nothing else runs yet
 }
 
 PrivateDisplay::~PrivateDisplay() { stop(server_); }

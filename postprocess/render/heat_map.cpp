@@ -55,10 +55,12 @@ class HeatMapItem : public vtkContextItem {
     const auto rows = (map.panels.size() + columns - 1) / columns;
     const float step_x = left + panel_width + right, step_y = below + panel_height + above;
     colours_ = continuous_colours(0.0, map.largest);
-    for (std::size_t k = 0; k < map.panels.size(); ++k)
+    for (std::size_t k = 0; k < map.panels.size(); ++k) {
+      const std::size_t row = rows - 1 - k / columns;
       paint_panel(painter, map.panels[k],
-                  {static_cast<float>(k % columns) * step_x + left,
-                   static_cast<float>(rows - 1 - k / columns) * step_y + below, panel_width, panel_height});
+                  {static_cast<float>(k % columns) * step_x + left, static_cast<float>(row) * step_y + below,
+                   panel_width, panel_height});
+    }
     const float height = static_cast<float>(rows) * step_y;
     paint_scale(painter, {static_cast<float>(columns) * step_x + 10.0F, below, 25.0F, height - below - above});
     write(painter, 0.5F * static_cast<float>(columns) * step_x, height + 0.4F * head, map.title, 26, true);

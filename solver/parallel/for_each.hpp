@@ -2,10 +2,12 @@
 // The loops over particles. This room alone knows threads; the bodies are small functors with views by value. A body
 // writes only to its own particle, so the answer is the same for any number of threads.
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
 #include "core/particles.hpp"
+#include "passes/side_by_side.hpp"
 
 namespace tektite {
 
@@ -13,6 +15,13 @@ namespace tektite {
 template <class Body>
 [[gnu::flatten]] void run_through(const Range& range, const Body& body) {
   for (std::size_t i = range.begin; i < range.end; ++i) body(i);
+}
+
+/// The same with wide_pack_width particles at a time: body(SideBySide).
+template <class Body>
+[[gnu::flatten]] void run_side_by_side(const Range& range, const Body& body) {
+  for (std::size_t i = range.begin; i < range.end; i += wide_pack_width)
+    body(SideBySide{i, std::min(wide_pack_width, range.end - i)});
 }
 
 /// body(i) for every 0 ≤ i < count, each on some thread.

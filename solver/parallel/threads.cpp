@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
+#include <system_error>
 
 namespace tektite {
 
@@ -12,9 +14,13 @@ void wait_briefly(char** argv) {
   // Long enough for the few microseconds between the loops of a step. Measured on two cores: with 300 to 3000 a step is
   // as fast as with OpenMP's own 300 000 where nothing else runs.
   constexpr const char* turns = "1000";
+  // NOLINTBEGIN(concurrency-mt-unsafe): nothing else runs yet
   if (std::getenv("OMP_WAIT_POLICY") || std::getenv("GOMP_SPINCOUNT")) return;
   if (::setenv("GOMP_SPINCOUNT", turns, 0) != 0) return;
-  ::execv("/proc/self/exe", argv);  // comes back only where it cannot, and then all goes on as it was
+  // NOLINTEND(concurrency-mt-unsafe)
+  std::error_code none;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", none);  // under its own name for ps and kill
+  if (!none) ::execv(program.c_str(), argv);  // comes back only where it cannot, and then all goes on as it was
 }
 
 void use_threads(int wanted) {

@@ -2,6 +2,8 @@
 
 #include <cstddef>
 
+#include "passes/side_by_side.hpp"
+
 namespace tektite {
 
 /// Rate of deformation across the plane: solved for in plane stress, zero in every other space.
@@ -9,6 +11,13 @@ template <bool plane_stress>
 double across(const double* across_rate, std::size_t i) {
   if constexpr (plane_stress)
     return across_rate[i];
+  else
+    return 0.0;
+}
+template <bool plane_stress>
+WidePack across(const double* across_rate, const SideBySide& i) {
+  if constexpr (plane_stress)
+    return read(across_rate, i);
   else
     return 0.0;
 }

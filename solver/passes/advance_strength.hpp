@@ -1,6 +1,7 @@
 #pragma once
 
 #include "passes/across.hpp"
+#include "passes/side_by_side.hpp"
 #include "physics/strength/advance_deviator.hpp"
 
 namespace tektite {
@@ -21,17 +22,17 @@ struct PredictStrength {
   double half_step;
   Symmetric<double, D>* half_stress;
 
-  void operator()(std::size_t i) const {
-    DeviatorState<D> state{stress[i], 0.0, 0.0, 0.0};
-    if constexpr (Strength::kind.yields) state.plastic_strain = plastic_strain[i];
-    if constexpr (Strength::kind.heats) state.temperature = temperature[i];
+  void operator()(const SideBySide& i) const {
+    DeviatorState<D, WidePack> state{read(stress, i), 0.0, 0.0, 0.0};
+    if constexpr (Strength::kind.yields) state.plastic_strain = read(plastic_strain, i);
+    if constexpr (Strength::kind.heats) state.temperature = read(temperature, i);
     if constexpr (Strength::kind.crushes) {
-      state.pressure = pressure[i];
-      state.damage = damage ? damage[i] : 0.0;
+      state.pressure = read(pressure, i);
+      if (damage) state.damage = read(damage, i);
     }
-    advance_deviator(strength, velocity_gradient[i], across<plane_stress>(across_rate, i), density[i], half_step,
-                     state);
-    half_stress[i] = state.stress;
+    advance_deviator(strength, read(velocity_gradient, i), across<plane_stress>(across_rate, i), read(density, i),
+                     half_step, state);
+    write(half_stress, i, state.stress);
   }
 };
 
@@ -51,25 +52,27 @@ struct AdvanceStrength {
   const double* damage;       ///< may be null where nothing fails
   double* plastic_increment;  ///< may be null where nothing is damaged by it
 
-  void operator()(std::size_t i) const {
-    DeviatorState<D> state{stress[i], 0.0, 0.0, 0.0};
+  void operator()(const SideBySide& i) const {
+    DeviatorState<D, WidePack> state{read(stress, i), 0.0, 0.0, 0.0};
     if constexpr (Strength::kind.yields) {
-      state.plastic_strain = plastic_strain[i];
-      state.plastic_work = plastic_work[i];
+      state.plastic_strain = read(plastic_strain, i);
+      state.plastic_work = read(plastic_work, i);
     }
-    if constexpr (Strength::kind.heats) state.temperature = temperature[i];
+    if constexpr (Strength::kind.heats) state.temperature = read(temperature, i);
     if constexpr (Strength::kind.crushes) {
-      state.pressure = pressure[i];
-      state.damage = damage ? damage[i] : 0.0;
+      state.pressure = read(pressure, i);
+      if (damage) state.damage = read(damage, i);
     }
-    advance_deviator(strength, velocity_gradient[i], across<plane_stress>(across_rate, i), density[i], step, state);
-    stress[i] = state.stress;
+    const WidePack strain = state.plastic_strain;
+    advance_deviator(strength, read(velocity_gradient, i), across<plane_stress>(across_rate, i), read(density, i), step,
+                     state);
+    write(stress, i, state.stress);
     if constexpr (Strength::kind.yields) {
-      if (plastic_increment) plastic_increment[i] = state.plastic_strain - plastic_strain[i];
-      plastic_strain[i] = state.plastic_strain;
-      plastic_work[i] = state.plastic_work;
+      if (plastic_increment) write(plastic_increment, i, WidePack(state.plastic_strain - strain));
+      write(plastic_strain, i, state.plastic_strain);
+      write(plastic_work, i, state.plastic_work);
     }
-    if constexpr (Strength::kind.heats) temperature[i] = state.temperature;
+    if constexpr (Strength::kind.heats) write(temperature, i, state.temperature);
   }
 };
 

@@ -99,7 +99,7 @@ class MaterialPasses {
   void predict_strength(const Run& run, double half_step) const {
     std::visit(
         [&](const auto& model) {
-          run_through(
+          run_side_by_side(
               run.range,
               PredictStrength<std::decay_t<decltype(model)>, D, plane_stress>{
                   model, particles_.tensors<D>(Field::velocity_gradient), across_rate(),
@@ -114,7 +114,7 @@ class MaterialPasses {
   void advance_strength(const Run& run, double step, Field density = Field::half_density) const {
     std::visit(
         [&](const auto& model) {
-          run_through(
+          run_side_by_side(
               run.range,
               AdvanceStrength<std::decay_t<decltype(model)>, D, plane_stress>{
                   model, particles_.tensors<D>(Field::velocity_gradient), across_rate(), particles_.scalars(density),

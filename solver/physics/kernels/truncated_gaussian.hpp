@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "core/pack.hpp"
-#include "physics/kernels/exponential.hpp"
+#include "physics/elementary.hpp"
 
 namespace tektite {
 

@@ -12,19 +12,21 @@ struct StrengthKind {
   bool crushes = false;  ///< its flow stress depends on pressure and damage, and tells what failed material bears
 };
 
-/// What a flow stress may depend on.
+/// What a flow stress may depend on, of one particle or of several side by side (core/pack.hpp).
+template <class N = double>
 struct FlowState {
-  double plastic_strain = 0.0;
-  double plastic_strain_rate = 0.0;  ///< 1/s
-  double temperature = 0.0;          ///< K
-  double pressure = 0.0;             ///< Pa
-  double damage = 0.0;               ///< 1: failed
+  N plastic_strain = 0.0;
+  N plastic_strain_rate = 0.0;  ///< 1/s
+  N temperature = 0.0;          ///< K
+  N pressure = 0.0;             ///< Pa
+  N damage = 0.0;               ///< 1: failed
 };
 
 /// A flow stress Y and how it grows with the plastic strain Δε of a step.
+template <class N>
 struct Flow {
-  double stress;  ///< Pa
-  double slope;   ///< dY/dΔε, Pa
+  N stress;  ///< Pa
+  N slope;   ///< dY/dΔε, Pa
 };
 
 }  // namespace tektite

@@ -23,10 +23,14 @@ struct IsotropicHardening {
         Parameter<M>{"plastic_modulus", &M::plastic_modulus, dimension::pressure, limits::not_negative,
                      "plastic modulus E_p"}};
   }
-  double flow_stress(const FlowState& state) const { return yield_stress + plastic_modulus * state.plastic_strain; }
-  auto flow_in(double, const FlowState& before) const {
-    return [*this, before](double increment) {
-      return Flow{yield_stress + plastic_modulus * (before.plastic_strain + increment), plastic_modulus};
+  template <class N = double>
+  N flow_stress(const FlowState<N>& state) const {
+    return yield_stress + plastic_modulus * state.plastic_strain;
+  }
+  template <class N = double>
+  auto flow_in(double, const FlowState<N>& before) const {
+    return [*this, strain = before.plastic_strain](const N& increment) {
+      return Flow<N>{yield_stress + plastic_modulus * (strain + increment), plastic_modulus};
     };
   }
 };

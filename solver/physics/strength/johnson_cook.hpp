@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "physics/elementary.hpp"
 #include "physics/model.hpp"
 #include "physics/strength/flow.hpp"
 
@@ -44,27 +45,33 @@ struct JohnsonCook {
                      "part χ of the plastic work that heats", 0.9}};
   }
 
-  double flow_stress(const FlowState& state) const {
+  template <class N = double>
+  N flow_stress(const FlowState<N>& state) const {
     return (a + hardening(state.plastic_strain)) * rating(state.plastic_strain_rate) * softening(state);
   }
   /// Powers are most of what plastic flow costs: each is taken once.
-  auto flow_in(double step, const FlowState& before) const {
-    return [*this, step, strain = before.plastic_strain, soft = softening(before)](double increment) {
-      const double rate = increment / step, hard = hardening(strain + increment), rated = rating(rate);
-      const double by_rate = rate > reference_rate ? (a + hard) * c / increment : 0.0;
-      return Flow{(a + hard) * rated * soft, (n * hard / (strain + increment) * rated + by_rate) * soft};
+  template <class N = double>
+  auto flow_in(double step, const FlowState<N>& before) const {
+    return [*this, step, strain = before.plastic_strain, soft = softening(before)](const N& increment) {
+      const N rate = increment / step, hard = hardening(N(strain + increment)), rated = rating(rate);
+      const N by_rate = select(rate > reference_rate, N((a + hard) * c / increment), N(0.0));
+      return Flow<N>{(a + hard) * rated * soft, (n * hard / (strain + increment) * rated + by_rate) * soft};
     };
   }
 
  private:
-  double hardening(double strain) const { return b * std::pow(strain, n); }
-  double rating(double plastic_strain_rate) const {
-    const double rate = plastic_strain_rate / reference_rate;
-    return rate > 1.0 ? 1.0 + c * std::log(rate) : 1.0;
+  template <class N>
+  N hardening(const N& strain) const {
+    return b * power(strain, n);
   }
-  double softening(const FlowState& state) const {
-    const double warmth = (state.temperature - room_temperature) / (melting_temperature - room_temperature);
-    return warmth <= 0.0 ? 1.0 : warmth >= 1.0 ? 0.0 : 1.0 - std::pow(warmth, m);
+  template <class N>
+  N rating(const N& plastic_strain_rate) const {
+    return 1.0 + c * logarithm(larger(N(plastic_strain_rate / reference_rate), N(1.0)));
+  }
+  template <class N>
+  N softening(const FlowState<N>& state) const {
+    const N warmth = (state.temperature - room_temperature) / (melting_temperature - room_temperature);
+    return 1.0 - power(smaller(larger(warmth, N(0.0)), N(1.0)), m);
   }
 };
 

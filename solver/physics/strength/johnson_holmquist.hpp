@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "physics/elementary.hpp"
 #include "physics/model.hpp"
 #include "physics/strength/flow.hpp"
 
@@ -45,28 +46,32 @@ struct JohnsonHolmquist {
         Parameter<M>{"reference_rate", &M::reference_rate, dimension::rate, limits::positive, "reference rate", 1.0}};
   }
 
-  double flow_stress(const FlowState& state) const { return strength(state) * rating(state.plastic_strain_rate); }
-  auto flow_in(double step, const FlowState& before) const {
-    return [*this, step, at_rest = strength(before)](double increment) {
-      const double rate = increment / step;
-      return Flow{at_rest * rating(rate), rate > reference_rate ? at_rest * c / increment : 0.0};
+  template <class N = double>
+  N flow_stress(const FlowState<N>& state) const {
+    return strength(state) * rating(state.plastic_strain_rate);
+  }
+  template <class N = double>
+  auto flow_in(double step, const FlowState<N>& before) const {
+    return [*this, step, at_rest = strength(before)](const N& increment) {
+      const N rate = increment / step;
+      return Flow<N>{at_rest * rating(rate), select(rate > reference_rate, N(at_rest * c / increment), N(0.0))};
     };
   }
 
  private:
-  double rating(double plastic_strain_rate) const {
-    const double rate = plastic_strain_rate / reference_rate;
-    return rate > 1.0 ? 1.0 + c * std::log(rate) : 1.0;
+  template <class N>
+  N rating(const N& plastic_strain_rate) const {
+    return 1.0 + c * logarithm(larger(N(plastic_strain_rate / reference_rate), N(1.0)));
   }
-  double strength(const FlowState& state) const {
-    return state.damage < 1.0 ? intact_strength(state.pressure)
-                              : std::clamp(failed_slope * state.pressure, 0.0, failed_strength);
+  template <class N>
+  N strength(const FlowState<N>& state) const {
+    const N failed = smaller(larger(N(failed_slope * state.pressure), N(0.0)), N(failed_strength));
+    return select(state.damage < 1.0, intact_strength(state.pressure), failed);
   }
-  double intact_strength(double p) const {
-    if (p <= tensile_limit) return 0.0;
-    if (p < p1) return s1 * (p - tensile_limit) / (p1 - tensile_limit);
-    if (p < p2) return s1 + (s2 - s1) * (p - p1) / (p2 - p1);
-    return s2;
+  template <class N>
+  N intact_strength(const N& p) const {
+    const N first = s1 * (p - tensile_limit) / (p1 - tensile_limit), second = s1 + (s2 - s1) * (p - p1) / (p2 - p1);
+    return select(p <= tensile_limit, N(0.0), select(p < p1, first, select(p < p2, second, N(s2))));
   }
 };
 

@@ -19,7 +19,10 @@ struct PerfectlyPlastic {
         Parameter<M>{"shear_modulus", &M::shear_modulus, dimension::pressure, limits::positive, "shear modulus G"},
         Parameter<M>{"yield_stress", &M::yield_stress, dimension::pressure, limits::positive, "yield stress σ_y"}};
   }
-  double flow_stress(const FlowState&) const { return yield_stress; }
+  template <class N = double>
+  N flow_stress(const FlowState<N>&) const {
+    return yield_stress;
+  }
 };
 
 }  // namespace tektite

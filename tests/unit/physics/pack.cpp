@@ -1,6 +1,6 @@
 #include "core/pack.hpp"
 
-#include "physics/kernels/exponential.hpp"
+#include "physics/elementary.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -35,6 +35,30 @@ TEST_CASE("Packs: their exponential is that of each lane", "[pack]") {
     }
   }
   CHECK(exponential(Pack(0.0))[0] == 1.0);
+}
+
+TEST_CASE("Packs: their logarithm is that of each lane", "[pack]") {
+  for (double x = 1e-300; x < 1e300; x *= 1.37) {
+    const WidePack several([&](int lane) { return x * (1.0 + 0.1 * lane); });
+    for (int lane = 0; lane < static_cast<int>(wide_pack_width); ++lane) {
+      const double one = logarithm(double(several[lane]));
+      CHECK(std::abs(logarithm(several)[lane] - one) <= 4e-16 * (1.0 + std::abs(one)));
+    }
+  }
+  CHECK(logarithm(WidePack(1.0))[0] == 0.0);
+}
+
+TEST_CASE("Packs: their powers are those of each lane", "[pack]") {
+  for (const double n : {0.01, 0.41, 1.0, 1.8, 9.9})
+    for (double x = 1e-30; x < 1e3; x *= 1.37) {
+      const WidePack several([&](int lane) { return x * (1.0 + 0.1 * lane); });
+      for (int lane = 0; lane < static_cast<int>(wide_pack_width); ++lane) {
+        const double one = power(double(several[lane]), n);
+        CHECK(std::abs(power(several, n)[lane] - one) <= 4e-16 * (1.0 + n * std::abs(std::log(one) / n)) * one);
+      }
+    }
+  CHECK(power(WidePack(0.0), 0.41)[0] == 0.0);
+  CHECK(power(WidePack(1.0), 0.41)[0] == 1.0);
 }
 
 TEST_CASE("Packs: the sum adds all lanes in one order", "[pack]") {

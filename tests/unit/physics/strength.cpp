@@ -38,6 +38,31 @@ void walk(const Model& model, const Body& body) {
   }
 }
 
+constexpr std::size_t width = wide_pack_width;
+
+/// number(k) in lane k.
+template <class Number>
+WidePack in_lanes(const Number& number) {
+  return WidePack([&](auto lane) { return number(static_cast<std::size_t>(lane)); });
+}
+
+/// The states state(k) after a step under the velocity gradients l(k), side by side.
+template <int D, class Model, class Gradient, class State>
+DeviatorState<D, WidePack> advanced(const Model& model, const Gradient& l, const State& state) {
+  Tensor<WidePack, D> gradient;
+  for (int c = 0; c < D * D; ++c) gradient.c[c] = in_lanes([&](std::size_t k) { return l(k).c[c]; });
+  DeviatorState<D, WidePack> states;
+  for (int c = 0; c < states.stress.size; ++c)
+    states.stress.c[c] = in_lanes([&](std::size_t k) { return state(k).stress.c[c]; });
+  states.plastic_strain = in_lanes([&](std::size_t k) { return state(k).plastic_strain; });
+  states.plastic_work = in_lanes([&](std::size_t k) { return state(k).plastic_work; });
+  states.temperature = in_lanes([&](std::size_t k) { return state(k).temperature; });
+  states.pressure = in_lanes([&](std::size_t k) { return state(k).pressure; });
+  states.damage = in_lanes([&](std::size_t k) { return state(k).damage; });
+  advance_deviator(model, gradient, WidePack(0.0), WidePack(test::reference_density), dt, states);
+  return states;
+}
+
 }  // namespace
 
 TEST_CASE("Strengths: no step leaves the stress above the flow stress", "[strength]") {
@@ -71,6 +96,42 @@ TEST_CASE("Strengths: what flows plastically lies on the yield surface", "[stren
         REQUIRE(std::abs(left) <= 2e-12 * von_mises(trial));  // it is searched to half of that
       });
       CHECK(flowing > 100);
+    }
+  });
+}
+
+TEST_CASE("Strengths: particles side by side come to what each comes to alone", "[strength]") {
+  for_each_strength([](const auto& model, auto d) {
+    test::Random random(7);
+    for (int repeat = 0; repeat < 200; ++repeat) {
+      Tensor<double, d> l[width];
+      DeviatorState<d> state[width];
+      for (std::size_t k = 0; k < width; ++k) {  // some are at rest, some turn or strain a little, some flow
+        l[k] = random.gradient<d>(k % 3 == 0 ? 0.0 : random.magnitude(1e-5, 1.0) / dt);
+        state[k] = {random.symmetric<d>(1e-3 * model.shear_modulus),
+                    random.between(0.0, 1.0),
+                    0.0,
+                    random.between(280.0, 2000.0),
+                    random.between(-1e9, 1e10),
+                    double(k % 2)};
+      }
+      const auto together = advanced<d>(
+          model, [&](std::size_t k) { return l[k]; }, [&](std::size_t k) { return state[k]; });
+      const auto last = advanced<d>(
+          model, [&](std::size_t) { return l[width - 1]; }, [&](std::size_t) { return state[width - 1]; });
+      for (int c = 0; c < together.stress.size; ++c)
+        REQUIRE(double(together.stress.c[c][width - 1]) == double(last.stress.c[c][0]));
+      REQUIRE(double(together.plastic_strain[width - 1]) == double(last.plastic_strain[0]));
+      for (std::size_t k = 0; k < width; ++k) {
+        advance_deviator(model, l[k], 0.0, test::reference_density, dt, state[k]);
+        for (int c = 0; c < together.stress.size; ++c)
+          REQUIRE(together.stress.c[c][k] == Approx(state[k].stress.c[c]).margin(1e-11 * (model.shear_modulus + 1.0)));
+        REQUIRE(together.plastic_strain[k] == Approx(state[k].plastic_strain).epsilon(1e-11));
+        REQUIRE(
+            together.plastic_work[k] ==
+            Approx(state[k].plastic_work).epsilon(1e-9).margin(1e-11 * model.shear_modulus / test::reference_density));
+        REQUIRE(together.temperature[k] == Approx(state[k].temperature).epsilon(1e-9));
+      }
     }
   });
 }
