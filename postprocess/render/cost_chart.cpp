@@ -143,7 +143,7 @@ void draw(const CostChart& asked, const std::string& path, const Tell& tell) {
   set_ticks(chart->GetAxis(vtkAxis::BOTTOM), costs, 1.0, "");
   set_ticks(chart->GetAxis(vtkAxis::LEFT), errors, 100.0, " %");
   add_lines(chart, asked, costs, errors);
-  write_png(view->GetRenderWindow(), path + ".png");
+  write_png(view, path + ".png");
   tell("picture: " + path + ".png");
   write_svg(view, path + ".svg");
   tell("picture: " + path + ".svg");

@@ -1,6 +1,7 @@
 #include "postprocess/render/image.hpp"
 
 #include <fmt/format.h>
+#include <vtkContextView.h>
 #include <vtkPNGWriter.h>
 #include <vtkRenderWindow.h>
 #include <vtkSmartPointer.h>
@@ -12,10 +13,9 @@
 namespace tektite {
 
 void write_png(vtkRenderWindow* window, const std::string& path) {
-  window->Render();
   const auto image = vtkSmartPointer<vtkWindowToImageFilter>::New();
   image->SetInput(window);
-  image->ReadFrontBufferOff();
+  image->ReadFrontBufferOff();  // it renders by itself
   write_beside(path, [&](const std::string& beside) {
     const auto writer = vtkSmartPointer<vtkPNGWriter>::New();
     writer->SetFileName(beside.c_str());
@@ -23,6 +23,11 @@ void write_png(vtkRenderWindow* window, const std::string& path) {
     writer->Write();
     if (writer->GetErrorCode() != 0) throw RunError(fmt::format("{} cannot be written", path));
   });
+}
+
+void write_png(vtkContextView* chart, const std::string& path) {
+  chart->GetRenderWindow()->Render();
+  write_png(chart->GetRenderWindow(), path);
 }
 
 }  // namespace tektite

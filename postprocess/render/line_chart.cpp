@@ -62,7 +62,7 @@ void draw_line_chart(const LineChart& chart, const std::string& path) {
       points->SetMarkerSize(8.0F);
     }
   }
-  write_png(view->GetRenderWindow(), path);
+  write_png(view, path);
 }
 
 }  // namespace tektite

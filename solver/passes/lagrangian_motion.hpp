@@ -62,13 +62,9 @@ struct Deform {
     r.cofactor = cofactor(deformation[i]);
     if (reference[i].lagrangian != 0.0) {
       r.jacobian = determinant(deformation[i]);
-      const auto rate = l;
-      for (int a = 0; a < D; ++a)
-        for (int b = 0; b < D; ++b) {  // F⁻¹ = Cᵀ/J
-          double sum = 0.0;
-          for (int k = 0; k < D; ++k) sum += rate(a, k) * r.cofactor(b, k);
-          l(a, b) = sum / r.jacobian;
-        }
+      l = product_with_transposed(l, r.cofactor);  // F⁻¹ = Cᵀ/J
+      const double inverse = 1.0 / r.jacobian;
+      for (auto& component : l.c) component *= inverse;
       half_density[i] = mass[i] / (reference_volume[i] * r.jacobian);
       if constexpr (rings) half_density[i] /= stretch[i];
     } else {
