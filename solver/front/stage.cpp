@@ -91,7 +91,7 @@ void lead(int stream, const std::string& file) {
   ::sigprocmask(SIG_SETMASK, &mask, nullptr);
   lead(STDOUT_FILENO, streams.output);
   lead(STDERR_FILENO, streams.faults);
-  ::execv(words[0], words);
+  ::execvp(words[0], words);
   fmt::print(stderr, "tektite: error: {}: cannot be started: {}\n", words[0], words_for_error(errno));
   ::_exit(exit_failed);
 }

@@ -29,8 +29,9 @@ struct Streams {
   std::string faults;
 };
 
-/// Starts a program, which takes SIGINT, SIGTERM and SIGCHLD as it is usual and blocks the signals of `mask`, and gives
-/// its process. Throws RunError where it cannot be started.
+/// Starts a program, by its path or by a name that is looked for as the shell does, and gives its process. It takes
+/// SIGINT, SIGTERM and SIGCHLD as it is usual and blocks the signals of `mask`. Throws RunError where it cannot be
+/// started.
 pid_t spawn(const std::string& path, const Words& arguments, const Streams& streams, const sigset_t& mask);
 
 /// Becomes the program of a stage. Throws RunError where the program is not there.
