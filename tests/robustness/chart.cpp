@@ -112,6 +112,16 @@ TEST_CASE("Chart: a study in which every run fails says so and fails") {
   CHECK_THAT(outcome.output, Contains("`viscous-1`") && Contains("No run has a result."));
 }
 
+TEST_CASE("Chart: where there is no Slurm it is told once, and nothing is run") {
+  const Workplace place;
+  const auto outcome = run_in(place.folder.path(), {"/usr/bin/env", "PATH=/nowhere", TEKTITE_PROGRAM, "chart",
+                                                    "study.toml", "-o", "out", "--launcher", "slurm"});
+  CHECK(outcome.code == 1);
+  CHECK(outcome.faults ==
+        "tektite: error: sbatch has submitted nothing: sbatch: cannot be started: No such file or directory\n");
+  CHECK(fs::is_empty(place.folder.file("out/runs")));
+}
+
 TEST_CASE("Chart: a wrong study is refused with its place before anything is run") {
   const Workplace place;
   const auto refused = [&](const std::string& old, const std::string& now) {
@@ -134,6 +144,8 @@ TEST_CASE("Chart: a wrong study is refused with its place before anything is run
   CHECK_THAT(refused("[line.viscous]", "[line.\"a b\"]"), Contains("line.a b") && Contains("so it must be plain"));
   CHECK_THAT(refused("scene.toml", "other.toml"), Contains("other.toml") && Contains("cannot be opened"));
   CHECK_THAT(place.chart({"study.toml", "--jobs", "0"}).faults, Contains("--jobs"));
+  CHECK_THAT(place.chart({"study.toml", "--launcher", "pbs"}).faults, Contains("pbs") && Contains("local, slurm"));
+  CHECK_THAT(place.chart({"study.toml", "--sbatch", "mem=4G"}).faults, Contains("--sbatch is for --launcher slurm"));
   CHECK_THAT(place.chart({"none.toml"}).faults, Contains("none.toml"));
   CHECK_THAT(refused(study.substr(study.find("[line.")), ""), Contains("there is nothing to run"));
   place.write("study.toml", study);
