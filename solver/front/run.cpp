@@ -35,8 +35,8 @@ void clear(const fs::path& folder) {
   if (!holds_a_run(folder)) return;
   for (const auto& entry : fs::directory_iterator(folder))
     if (entry.path().extension() == ".pvd") fs::remove(entry.path());
-  for (const auto* part : {"history.csv", "solve.json", "run.log", "measurements.json", "fragments.csv", "vtu",
-                           "pictures", "snapshots", "particles.h5"})
+  for (const auto* part : {"history.csv", "solve.json", "run.log", "measurements.json", "fragments.csv", "report.html",
+                           "vtu", "pictures", "snapshots", "particles.h5"})
     fs::remove_all(folder / part);
 }
 

@@ -123,7 +123,9 @@ TEST_CASE("Front: a run leaves its state, numbers and the table of ours beside p
     const auto again = place.tektite({"run", "scene.toml", "--variant", "fast"});
     CHECK(again.code == 2);
     CHECK_THAT(again.faults, Contains("runs/small-fast") && Contains("holds a run already") && Contains("--replace"));
+    std::ofstream(place.folder.file("runs/small-fast/report.html")) << "a page about the first run";
     CHECK(place.tektite({"run", "scene.toml", "--variant", "fast", "--replace"}).code == 0);
+    CHECK_FALSE(place.has("runs/small-fast/report.html"));
   }
   SECTION("a wrong scene leaves it as it was") {
     const auto before = content_of(place.folder.file("runs/small-fast/history.csv"));
