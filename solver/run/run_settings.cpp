@@ -60,6 +60,9 @@ RunSettings read_run_settings(Document& document) {
   settings.end = time.quantity("end", dimension::time, limits::positive);
   const std::array<std::string, 2> starts{"start", "contact"};
   settings.from_contact = time.choice("from", starts, "start") == "contact";
+  auto bodies = root.named_sections("body");
+  if (settings.from_contact && bodies.size() < 2)
+    throw time.fault("from", "a contact is that of two bodies, and the scene has fewer", "start");
   time.finish();
 
   auto output = root.section_or_empty("output");
@@ -68,7 +71,6 @@ RunSettings read_run_settings(Document& document) {
   output.finish();
 
   settings.probes = read_probes(root, settings.scene);
-  const auto bodies = root.named_sections("body");
   std::vector<std::string> body_names;
   for (const auto& body : bodies) body_names.push_back(body.first);
   for (const auto& probe : settings.probes)
