@@ -47,6 +47,14 @@ std::vector<Probe> read_probes(Section& root, const Scene& scene) {
   return probes;
 }
 
+/// Regions are preprocess' to read; whether their kernels can be is for the scheme to say.
+void check_kernels(Section body, const std::string& scheme) {
+  for (const auto& [name, region] : body.named_sections("region"))
+    if (region.has("kernel") && scheme != "adaptle")
+      throw region.fault("kernel", fmt::format("the scheme {} knows one kind of kernel", scheme),
+                         "no such key, or the scheme adaptle");
+}
+
 }  // namespace
 
 RunSettings read_run_settings(Document& document) {
@@ -84,6 +92,7 @@ RunSettings read_run_settings(Document& document) {
       for (const auto& entry : settings.materials) known.push_back(entry.first);
       throw body.fault("material", "there is no such material", join(known));
     }
+    check_kernels(body, settings.scheme.type);
   }
   root.finish();
   return settings;
