@@ -32,6 +32,11 @@ struct JohnsonCookDamage {
         Parameter<M>{"melting_temperature", &M::melting_temperature, dimension::temperature, limits::positive,
                      "melting temperature", 1e4}};
   }
+  static auto ascending() {
+    using M = JohnsonCookDamage;
+    return std::array{
+        Ascending<M>{"room_temperature", &M::room_temperature, "melting_temperature", &M::melting_temperature}};
+  }
 
   double failure_strain(const DamageState& state) const {
     const double rate = state.plastic_strain_rate / reference_rate;

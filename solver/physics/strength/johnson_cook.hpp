@@ -44,6 +44,11 @@ struct JohnsonCook {
         Parameter<M>{"taylor_quinney", &M::taylor_quinney, dimension::none, limits::fraction,
                      "part χ of the plastic work that heats", 0.9}};
   }
+  static auto ascending() {
+    using M = JohnsonCook;
+    return std::array{
+        Ascending<M>{"room_temperature", &M::room_temperature, "melting_temperature", &M::melting_temperature}};
+  }
 
   template <class N = double>
   N flow_stress(const FlowState<N>& state) const {

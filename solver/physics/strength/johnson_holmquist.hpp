@@ -45,6 +45,10 @@ struct JohnsonHolmquist {
         Parameter<M>{"c", &M::c, dimension::none, {0.0, 1.0}, "rate coefficient C", 0.0},
         Parameter<M>{"reference_rate", &M::reference_rate, dimension::rate, limits::positive, "reference rate", 1.0}};
   }
+  static auto ascending() {
+    using M = JohnsonHolmquist;
+    return std::array{Ascending<M>{"p1", &M::p1, "p2", &M::p2, true}};
+  }
 
   template <class N = double>
   N flow_stress(const FlowState<N>& state) const {

@@ -51,6 +51,30 @@ void check_limits() {
   });
 }
 
+/// Where one parameter has to lie above another one: below it, and at it where the model has no use for that.
+template <class Family_>
+void check_orders() {
+  test::for_each_sample<Family_>([](const auto& model) {
+    using Model = std::decay_t<decltype(model)>;
+    if constexpr (requires { Model::ascending(); }) {
+      for (const auto& pair : Model::ascending()) {
+        const double lower = model.*pair.lower;
+        INFO(pair.upper_key << " above " << pair.lower_key);
+        const auto read = [&](double upper) {
+          test::model_from<Family_, Model>(parameters_with(model, pair.upper_key, fmt::format("{:e}", upper)));
+        };
+        CHECK_THAT(test::fault_of([&] { read(0.5 * lower); }),
+                   Contains(fmt::format("{} = {:g}", pair.lower_key, lower)) &&
+                       Contains(fmt::format("{} = {}", pair.upper_key, 0.5 * lower)));
+        if (pair.may_be_equal)
+          CHECK_NOTHROW(read(lower));
+        else
+          CHECK_THAT(test::fault_of([&] { read(lower); }), Contains("out of order"));
+      }
+    }
+  });
+}
+
 template <class Family_>
 void check_dimensions() {
   for_each_parameter<Family_>([](const auto& parameter, const auto& read) {
@@ -86,6 +110,11 @@ TEST_CASE("Models: a parameter outside its limits is refused", "[parameters]") {
   check_limits<Viscosity>();
   check_limits<Riemann>();
   check_limits<Limiter>();
+}
+
+TEST_CASE("Models: two parameters in the wrong order are refused, both by name and value", "[parameters]") {
+  check_orders<Strength>();
+  check_orders<Damage>();
 }
 
 TEST_CASE("Models: a parameter of another dimension is refused", "[parameters]") {
