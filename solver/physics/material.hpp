@@ -31,6 +31,14 @@ inline double shear_modulus_of(const Material& material) {
   return std::visit([](const auto& model) { return model.shear_modulus; }, material.strength);
 }
 
+/// Throws InputError where the damage is of a model that needs plastic flow and the strength has none.
+inline void check_damage(const Section& section, const Material& material) {
+  const bool yields = std::visit([](const auto& model) { return model.kind.yields; }, material.strength);
+  if (!yields && std::holds_alternative<JohnsonCookDamage>(material.damage))
+    throw section.fault("model", "it grows with plastic strain, and the material's strength does not yield",
+                        "a strength that yields; spall_pressure, or none");
+}
+
 /// Reads every [material.NAME]; throws InputError.
 inline std::map<std::string, Material> read_materials(Section& root) {
   std::map<std::string, Material> materials;
@@ -45,6 +53,7 @@ inline std::map<std::string, Material> read_materials(Section& root) {
     auto damage = section.section_or_empty("damage");
     if (!damage.has("model")) damage.choice("model", Family<Damage>::names(), std::string(NoDamage::name));
     material.damage = Family<Damage>::read(damage);
+    check_damage(damage, material);
     if (section.has("spall_pressure"))
       material.least_pressure = section.quantity("spall_pressure", dimension::pressure, {-limits::infinite, 0.0});
     leave_others(section, Stage::solve);

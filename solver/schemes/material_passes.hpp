@@ -50,7 +50,7 @@ class MaterialPasses {
     if (yields) particles_.allocate(Field::plastic_strain);
     if (yields) particles_.allocate(Field::plastic_work);
     if (heats) particles_.allocate(Field::temperature);
-    if (yields && damages()) particles_.allocate(Field::damage);
+    if (damages()) particles_.allocate(Field::damage);
     if (bulks()) particles_.allocate(Field::bulking_pressure);
     for (const auto& run : runs_)
       std::visit(
@@ -150,7 +150,7 @@ class MaterialPasses {
                                                   optional(Field::temperature),
                                                   step,
                                                   particles_.scalars(Field::damage)};
-            if constexpr (requires { model.bulking; } && StrengthModel::kind.yields) {
+            if constexpr (requires { model.bulking; } && StrengthModel::kind.shears) {
               if (model.bulking > 0.0)
                 return run_through(run.range, AdvanceDamageAndBulk<Model, StrengthModel, D>{
                                                   advance, strength, bulk_modulus_of(*run.material),
