@@ -10,10 +10,10 @@ namespace tektite {
 template <int D>
 struct HoldClamped {
   const std::int64_t* clamped;
-  Vector<double, D>* acceleration;
+  Vector<double, D>* rate;  ///< of the place or of the velocity
 
   void operator()(std::size_t i) const {
-    if (clamped[i] != 0) acceleration[i] = Vector<double, D>::zero();
+    if (clamped[i] != 0) rate[i] = Vector<double, D>::zero();
   }
 };
 

@@ -6,12 +6,13 @@
 
 namespace tektite {
 
-/// Clamped particles, and those on a symmetry plane, stay where they have to: takes that from their accelerations.
+/// Clamped particles, and those on a symmetry plane, stay where they have to: takes what would move them from their
+/// accelerations, or velocities.
 template <int D>
-void hold_still(Particles& particles, const Mirror<D>& mirror, Vector<double, D>* acceleration) {
+void hold_still(Particles& particles, const Mirror<D>& mirror, Vector<double, D>* rate) {
   if (particles.has(Field::clamped))
-    run_through({0, particles.count()}, HoldClamped<D>{particles.integers(Field::clamped).data(), acceleration});
-  mirror.hold(acceleration);
+    run_through({0, particles.count()}, HoldClamped<D>{particles.integers(Field::clamped).data(), rate});
+  mirror.hold(rate);
 }
 
 }  // namespace tektite

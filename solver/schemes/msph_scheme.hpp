@@ -11,6 +11,7 @@
 #include "passes/msph_motion.hpp"
 #include "passes/msph_sums.hpp"
 #include "passes/msph_surface.hpp"
+#include "schemes/hold_still.hpp"
 #include "schemes/make_scheme_in.hpp"
 #include "schemes/material_passes.hpp"
 #include "schemes/scheme.hpp"
@@ -208,6 +209,7 @@ class MsphScheme final : public Scheme {
                                  p.scalars(Field::pressure), divergence_.data(), radial_part_.data(), held_.data(),
                                  anvil_.axis(), dt, p.template vectors<D>(Field::velocity),
                                  p.template vectors<D>(Field::acceleration)});
+    hold(p.template vectors<D>(Field::acceleration));
   }
   void find_adjoint_forces() {
     auto& p = particles_;
@@ -229,10 +231,12 @@ class MsphScheme final : public Scheme {
                   MsphAdjoint<Weights, D, hoops>{gather(), coefficients_.data(), across_.data(), divergence_.data()});
   }
 
-  /// The velocities, held at symmetry planes, as pairs see them.
+  void hold(Vector<double, D>* rate) { hold_still(particles_, neighbourhood_.mirror(), rate); }
+
+  /// The velocities, held where they have to be, as pairs see them.
   void show_velocities() {
     auto* v = particles_.template vectors<D>(Field::velocity);
-    neighbourhood_.mirror().hold(v);
+    hold(v);
     for_each(particles_.count(), [&](std::size_t i) { records_[i].v = v[i]; });
     neighbourhood_.mirror().fill(records_, particles_.count());
   }
@@ -246,7 +250,7 @@ class MsphScheme final : public Scheme {
     for_each_pair(neighbourhood_.pairs(),
                   SmoothVelocity<Kernel, D>{gather(), kernel_mass_.data(), settings_.smoothing_share, energies_.data(),
                                             material_.data(), divergence_.data(), heat_.data(), exchange_.data()});
-    neighbourhood_.mirror().hold(divergence_.data());
+    hold(divergence_.data());
     run_all(MsphApplySmoothing<D>{divergence_.data(), heat_.data(), exchange_.data(), held_.data(), anvil_.axis(),
                                   p.template vectors<D>(Field::velocity), p.scalars(Field::specific_internal_energy),
                                   p.scalars(Field::viscous_work)});
@@ -258,7 +262,7 @@ class MsphScheme final : public Scheme {
     for_each_pair(neighbourhood_.pairs(),
                   MsphVelocity<Weights, D>{gather(), coefficients_.data(),
                                            particles_.template tensors<D>(Field::velocity_gradient), fitted_.data()});
-    neighbourhood_.mirror().hold(fitted_.data());
+    hold(fitted_.data());
     for_each(particles_.count(), [&](std::size_t i) {
       if (held_[i]) fitted_[i][anvil_.axis()] = 0.0;
     });
