@@ -175,6 +175,7 @@ class Run {
     if (simulation_.steps() % simulation_.settings().history_interval != 0 && !simulation_.finished()) return;
     const auto& last = simulation_.last_step();
     ledger_ = simulation_.ledger();
+    simulation_.note(ledger_);
     const auto& particles = simulation_.particles();
     const bool first = simulation_.steps() == 0;
     const auto numbers = numbers_of(ledger_, probes_.values(particles));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -13,6 +14,10 @@ namespace {
 
 /// A time step may grow by this factor from one step to the next; it may fall at once.
 constexpr double growth = 1.1;
+
+/// A total energy at the start below this part of what is at play later is no measure of it: compressed particles
+/// without an internal energy start from none.
+constexpr double next_to_nothing = 1e-3;
 
 /// A run whose time step has fallen to this part of its first one does not come to an end any more.
 constexpr double collapse = 1e-6;
@@ -32,6 +37,7 @@ Simulation::Simulation(Snapshot snapshot, RunSettings settings, bool resumed)
     first_step_ = state.at("first_step");
     if (state.contains("contact_time")) contact_time_ = state.at("contact_time");
     initial_energy_ = state.at("initial_energy");
+    largest_energy_ = state.at("largest_energy");
     momentum_scale_ = state.at("momentum_scale");
     for (int k = 0; k < particles.dimensions(); ++k)
       initial_momentum_.push_back(state.at(fmt::format("initial_momentum_{}", "xyz"[k])));
@@ -41,6 +47,7 @@ Simulation::Simulation(Snapshot snapshot, RunSettings settings, bool resumed)
   scheme_->start();
   const auto ledger = scheme_->ledger();
   initial_energy_ = ledger.total();
+  note(ledger);
   initial_momentum_ = ledger.momentum;
   const auto mass = particles.reals(Field::mass);
   momentum_scale_ = std::sqrt(2.0 * std::accumulate(mass.begin(), mass.end(), 0.0) * ledger.kinetic);
@@ -120,9 +127,12 @@ void Simulation::look_for_contact() {
 }
 
 double Simulation::energy_drift(const Ledger& now) const {
-  const double change = now.total() - initial_energy_;
-  return initial_energy_ == 0.0 ? change : change / initial_energy_;
+  const double largest = std::max(largest_energy_, now.at_play());
+  const double scale = std::abs(initial_energy_) < next_to_nothing * largest ? largest : initial_energy_;
+  return scale == 0.0 ? 0.0 : (now.total() - initial_energy_) / scale;
 }
+
+void Simulation::note(const Ledger& line) { largest_energy_ = std::max(largest_energy_, line.at_play()); }
 
 double Simulation::momentum_drift(const Ledger& now) const {
   double square = 0.0;
@@ -158,6 +168,7 @@ const Snapshot& Simulation::save(const std::map<std::string, double>& others) {
   state["first_step"] = first_step_;
   if (contact_time_) state["contact_time"] = *contact_time_;
   state["initial_energy"] = initial_energy_;
+  state["largest_energy"] = largest_energy_;
   state["momentum_scale"] = momentum_scale_;
   for (std::size_t k = 0; k < initial_momentum_.size(); ++k)
     state[fmt::format("initial_momentum_{}", "xyz"[k])] = initial_momentum_[k];

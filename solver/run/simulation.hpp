@@ -29,6 +29,7 @@ class Simulation {
   double end() const;
   const TimeStep& last_step() const { return last_; }
   std::optional<double> contact_time() const { return contact_time_; }
+  /// (E - E0)/E0; where E0 is next to nothing, over the largest energy that was at play in any line of the history.
   double energy_drift(const Ledger& now) const;
   double momentum_drift(const Ledger& now) const;
 
@@ -37,6 +38,9 @@ class Simulation {
   const Scheme& scheme() const { return *scheme_; }
   Ledger ledger() const { return scheme_->ledger(); }
   const Profile& profile() const { return profile_; }
+
+  /// Keeps what the energies of a line of the history tell the drift.
+  void note(const Ledger& line);
 
   /// The state as it can be saved; `state` takes what others want to keep.
   const Snapshot& save(const std::map<std::string, double>& state);
@@ -61,6 +65,7 @@ class Simulation {
   double first_step_ = 0.0;
   std::optional<double> contact_time_;
   double initial_energy_ = 0.0;
+  double largest_energy_ = 0.0;  ///< at play, of the lines so far
   double momentum_scale_ = 0.0;
   std::vector<double> initial_momentum_;
 };

@@ -1,6 +1,7 @@
 #pragma once
 // What the run needs of a scheme: bring the particles from t to t + dt, and say how large dt may be.
 
+#include <cmath>
 #include <limits>
 #include <map>
 #include <memory>
@@ -60,6 +61,11 @@ struct Ledger {
   std::vector<double> momentum;                                        ///< kg m/s
   double hourglass = 0.0;  ///< work done against the control of such modes, J
   double total() const { return kinetic + internal + contact + hourglass; }
+  /// What can go from one kind to another: the total, and with it what kinds above zero owe to those below it.
+  double at_play() const {
+    const double sizes = std::abs(kinetic) + std::abs(internal) + std::abs(contact) + std::abs(hourglass);
+    return 0.5 * (sizes + std::abs(total()));
+  }
 };
 
 /// A failure that has a name (docs/stability.md).
