@@ -137,10 +137,12 @@ void Simulation::note(const Ledger& line) { largest_energy_ = std::max(largest_e
 double Simulation::momentum_drift(const Ledger& now) const {
   double square = 0.0;
   for (std::size_t k = 0; k < initial_momentum_.size(); ++k) {
-    bool symmetric = false;  // a symmetry plane takes up momentum across it
-    for (const auto& plane : settings_.scene.symmetry) symmetric = symmetric || plane.axis == static_cast<int>(k);
+    const auto across = [axis = static_cast<int>(k)](const SymmetryPlane& plane) { return plane.axis == axis; };
+    const auto& anvil = settings_.scheme.anvil;
+    // symmetry planes and the anvil take up momentum across them
+    if (std::ranges::any_of(settings_.scene.symmetry, across) || (anvil && across(*anvil))) continue;
     const double change = now.momentum[k] - initial_momentum_[k];
-    if (!symmetric) square += change * change;
+    square += change * change;
   }
   return momentum_scale_ == 0.0 ? std::sqrt(square) : std::sqrt(square) / momentum_scale_;
 }

@@ -31,6 +31,7 @@ class Simulation {
   std::optional<double> contact_time() const { return contact_time_; }
   /// (E - E0)/E0; where E0 is next to nothing, over the largest energy that was at play in any line of the history.
   double energy_drift(const Ledger& now) const;
+  /// Over √(2 m E_kin) at the start, along the axes that neither a symmetry plane nor the anvil lies across.
   double momentum_drift(const Ledger& now) const;
 
   const Particles& particles() const { return snapshot_.particles; }

@@ -74,3 +74,18 @@ TEST_CASE("Drift: of a run with energy at its start it is that of the start", "[
   const auto now = simulation.ledger();
   CHECK(simulation.energy_drift(now) == (now.total() - initial) / initial);
 }
+
+TEST_CASE("Drift: the momentum that an anvil takes up is none that the scheme has lost", "[drift]") {
+  const std::string scheme = GENERATE("eulerian", "total-lagrangian");
+  INFO(scheme);
+  const std::string scene = "scheme.type = '" + scheme + "'\nanvil.axis = 'x'\n" + test::impact_scene;
+  const double d = test::impact_spacing;
+  auto simulation = test::simulation_of(
+      scene,
+      test::particles_on(Space::plane_strain, {{"bar", "metal", d, {0.0, 0.5 * d}, {20, 8}, {-200.0, 30.0}}}, 2785.0));
+  const double before = simulation.ledger().momentum[0];
+  test::take_steps(simulation, 40);
+  const auto now = simulation.ledger();
+  REQUIRE(std::abs(now.momentum[0] - before) > 0.1 * std::abs(before));
+  CHECK(simulation.momentum_drift(now) < 1e-12);
+}
