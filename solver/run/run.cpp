@@ -180,7 +180,7 @@ class Run {
     const bool first = simulation_.steps() == 0;
     const auto numbers = numbers_of(ledger_, probes_.values(particles));
     history_.write({simulation_.steps(), simulation_.time(), first ? 0.0 : last.dt,
-                    first ? "start" : name_of(last.reason), particles.integers(Field::id)[last.particle], numbers});
+                    first ? "start" : name_of(last.reason), simulation_.limiting_particle(), numbers});
     if (event_has_begun()) stops_.look(simulation_.time(), particles, numbers);
   }
 

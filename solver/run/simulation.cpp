@@ -105,6 +105,7 @@ void Simulation::step() {
   {
     const auto scope = profile_.time("time step");
     last_ = choose_step();
+    limiting_ = particles().integers(Field::id)[last_.particle];
   }
   if (first_step_ == 0.0) first_step_ = last_.dt;
   scheme_->step(last_.dt);

@@ -28,6 +28,8 @@ class Simulation {
   /// When the run is over, in s; infinite while the contact that it counts from has not come.
   double end() const;
   const TimeStep& last_step() const { return last_; }
+  /// The id of the particle that set the last step: its index may have changed within the step.
+  std::int64_t limiting_particle() const { return limiting_; }
   std::optional<double> contact_time() const { return contact_time_; }
   /// (E - E0)/E0; where E0 is next to nothing, over the largest energy that was at play in any line of the history.
   double energy_drift(const Ledger& now) const;
@@ -63,6 +65,7 @@ class Simulation {
   std::int64_t steps_ = 0;
   std::int64_t first_step_number_ = 0;
   TimeStep last_;
+  std::int64_t limiting_ = 0;  ///< id
   double first_step_ = 0.0;
   std::optional<double> contact_time_;
   double initial_energy_ = 0.0;

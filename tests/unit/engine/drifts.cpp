@@ -89,3 +89,16 @@ TEST_CASE("Drift: the momentum that an anvil takes up is none that the scheme ha
   REQUIRE(std::abs(now.momentum[0] - before) > 0.1 * std::abs(before));
   CHECK(simulation.momentum_drift(now) < 1e-12);
 }
+
+TEST_CASE("Time step: the particle that set it is named by its id, also where the step has put it elsewhere") {
+  auto simulation = test::simulation_of(test::impact_scene, test::impact_particles(Space::plane_strain));
+  int moved = 0;
+  for (int k = 0; k < 400; ++k) {
+    const auto index = simulation.scheme().stable_step().particle;
+    const auto id = simulation.particles().integers(Field::id)[index];
+    simulation.step();
+    CHECK(simulation.limiting_particle() == id);
+    moved += simulation.particles().integers(Field::id)[index] != id;
+  }
+  CHECK(moved > 0);
+}
