@@ -88,6 +88,7 @@ class Run {
       write_snapshot();
     } else {
       last_snapshot_ = origin.file;
+      ledger_ = simulation_.ledger();  // what progress shows before the next line
       if (!over() && !snapshot_due()) stopgap_ = origin.file;
     }
   }

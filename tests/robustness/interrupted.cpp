@@ -1,7 +1,11 @@
 // A run that is killed, or told to end, goes on as if nothing had been: history, snapshots and measures come out the
 // same to the last bit.
+#include <pty.h>
+
+#include <array>
 #include <catch2/catch.hpp>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <random>
@@ -166,6 +170,46 @@ TEST_CASE("Interrupted: SIGINT and SIGTERM end a run with a snapshot, from which
   REQUIRE(small.program(small.resuming("interrupted")).code == 0);
   small.measure("interrupted");
   CHECK((left_in(small.folder("interrupted")) == whole));
+}
+
+/// What a run shows on a terminal until the end of the first text that begins with this one; then it is told to end.
+std::string shown_up_to(const std::string& sought, const std::string& end, const std::string& folder,
+                        std::vector<std::string> words) {
+  std::vector<char*> arguments;
+  for (auto& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  int terminal = -1;
+  const pid_t child = ::forkpty(&terminal, nullptr, nullptr, nullptr);
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    if (::chdir(folder.c_str()) == 0) ::execv(arguments[0], arguments.data());
+    ::_exit(127);
+  }
+  std::string shown;
+  std::array<char, 4096> part;
+  const auto is_there = [&] {
+    const auto at = shown.find(sought);
+    return at != std::string::npos && shown.find(end, at) != std::string::npos;
+  };
+  for (ssize_t count = 1; !is_there() && count > 0; shown.append(part.data(), static_cast<std::size_t>(count)))
+    count = std::max<ssize_t>(::read(terminal, part.data(), part.size()), 0);
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
+  ::close(terminal);
+  return shown;
+}
+
+TEST_CASE("Interrupted: before its first line of history a resumed run shows the drift of its snapshot") {
+  const SmallRun small("eulerian", {"time.end=1", "output.history=1000000000"});
+  small.fill("resumed");
+  auto running = small.start(small.solving("resumed"));
+  REQUIRE(comes_about([&] { return tektite::snapshot_files(small.folder("resumed")).size() >= 2; }));
+  CHECK(running.end_by(SIGINT) == 1);
+  const auto shown = shown_up_to("drift ", "%", small.path(), small.resuming("resumed"));
+  INFO(shown);
+  const auto at = shown.find("drift ");
+  REQUIRE(at != std::string::npos);
+  CHECK(std::abs(std::stod(shown.substr(at + 6))) < 5.0);  // per cent; an empty ledger has lost a hundred
 }
 
 TEST_CASE("Killed: a history that does not reach the snapshot is told, and not gone on with") {
