@@ -7,8 +7,8 @@
 
 namespace tektite {
 
-/// What the contacts of Parshikov and Medin see of a particle; `thickness` and `membrane_density` stand for plane
-/// stress only.
+/// What the contacts of Parshikov and Medin see of a particle; `damage` may be null where nothing fails, and
+/// `thickness` and `membrane_density` stand for plane stress only.
 template <int D, bool plane_stress>
 struct AssembleContactStates {
   const Vector<double, D>* position;
@@ -19,6 +19,7 @@ struct AssembleContactStates {
   const double* pressure;
   const double* wave_speed;
   const double* smoothing_length;
+  const double* damage;
   const double* thickness;
   double shear_modulus;
   double* membrane_density;  ///< ρ times the thickness
@@ -37,6 +38,7 @@ struct AssembleContactStates {
     r.longitudinal = area_density * wave_speed[i];
     r.transverse = b * std::sqrt(density[i] * shear_modulus);
     r.smoothing_length = smoothing_length[i];
+    r.failed = damage && damage[i] >= 1.0 ? 1.0 : 0.0;
   }
 };
 

@@ -14,6 +14,10 @@ namespace tektite {
 /// With v* counted from v_i:
 ///   dv/dt = (2/ρ_i) Σ V_j σ* e·∇W,  power = (2/ρ_i) Σ V_j σ*·v* e·∇W,  L = 2 Σ V_j v* ⊗ ∇W,
 /// and dρ/dt = -ρ tr L, the sign of eq. 16 corrected.
+///
+/// Where a side has failed, the contact bears no tension, and no waves of shear: across e_ij it moves with the mean
+/// velocity of both and bears, under pressure, what failed material bears by itself, which is friction in a ceramic and
+/// nothing elsewhere.
 template <class Kernel, class Smoothing, int D>
 struct ContactRates {
   using Record = ContactStateRecord<D>;
@@ -30,7 +34,7 @@ struct ContactRates {
   struct Self {
     Vector<Pack, D> x, v;
     Pack stress[Record::stresses];
-    Pack longitudinal, transverse, h;
+    Pack longitudinal, transverse, h, failed;
   };
   struct Sums {
     Vector<Pack, D> force = Vector<Pack, D>::zero();
@@ -48,14 +52,15 @@ struct ContactRates {
     a.longitudinal = r.longitudinal;
     a.transverse = r.transverse;
     a.h = r.smoothing_length;
+    a.failed = r.failed;
     return a;
   }
 
   void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
-    const auto other = gather_records<2 * D + Record::stresses + 4>(records, j);
+    const auto other = gather_records<2 * D + Record::stresses + 5>(records, j);
     const Pack* const b = other.number;
     const Pack* const other_stress = b + 2 * D;
-    const Pack* const rest = other_stress + Record::stresses;  // volume, z_l, z_t, h
+    const Pack* const rest = other_stress + Record::stresses;  // volume, z_l, z_t, h, failed
     Vector<Pack, D> x, v;                                      // x_ij and v_j - v_i
     for (int k = 0; k < D; ++k) {
       x[k] = a.x[k] - b[k];
@@ -73,14 +78,18 @@ struct ContactRates {
     }
     const Pack closing = dot(v, pair.e), own_normal = dot(own, pair.e), other_normal = dot(others, pair.e);
     const Wave along(a.longitudinal, rest[1]), across(a.transverse, rest[2]);
-    const Pack normal_stress = along.stress(own_normal, other_normal, closing);
+    const Friction friction(a.failed, rest[4]);
+    const Pack normal_stress = friction.normal(along.stress(own_normal, other_normal, closing));
     const Pack normal_velocity = along.velocity(own_normal, other_normal, closing);
     const Pack weight = rest[0] * pair.slope;  // V_j e·∇W
     for (int i = 0; i < D; ++i) {
       const Pack own_part = own[i] - own_normal * pair.e[i], other_part = others[i] - other_normal * pair.e[i];
       const Pack slide = v[i] - closing * pair.e[i];
-      const Pack stress = normal_stress * pair.e[i] + across.stress(own_part, other_part, slide);
-      const Pack velocity = normal_velocity * pair.e[i] + across.velocity(own_part, other_part, slide);
+      const Pack shear =
+          friction.shear(own_part, other_part, normal_stress, across.stress(own_part, other_part, slide));
+      const Pack stress = normal_stress * pair.e[i] + shear;
+      const Pack velocity =
+          normal_velocity * pair.e[i] + friction.velocity(slide, across.velocity(own_part, other_part, slide));
       sums.force[i] += weight * stress;
       sums.power += weight * stress * velocity;
       for (int k = 0; k < D; ++k) sums.gradient(i, k) += weight * velocity * pair.e[k];
@@ -113,6 +122,23 @@ struct ContactRates {
     Pack velocity(const Pack& si, const Pack& sj, const Pack& closing) const {
       return (other * closing + si - sj) * inverse;
     }
+  };
+
+  /// What becomes of a contact where a side has failed.
+  struct Friction {
+    Pack own, other;  ///< the parts that the tractions of both have in it
+    Pack::mask_type failed;
+
+    Friction(const Pack& failed_i, const Pack& failed_j) : failed(failed_i + failed_j > Pack(0.0)) {
+      const Pack part = Pack(1.0) / larger(failed_i + failed_j, Pack(1.0));
+      own = failed_i * part;
+      other = failed_j * part;
+    }
+    Pack normal(const Pack& stress) const { return select(failed, smaller(stress, Pack(0.0)), stress); }
+    Pack shear(const Pack& si, const Pack& sj, const Pack& normal, const Pack& intact) const {
+      return select(failed, select(normal < Pack(0.0), own * si + other * sj, Pack(0.0)), intact);
+    }
+    Pack velocity(const Pack& slide, const Pack& intact) const { return select(failed, Pack(0.5) * slide, intact); }
   };
 };
 

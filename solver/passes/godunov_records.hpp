@@ -73,6 +73,7 @@ struct alignas(pack_width * sizeof(double)) ContactStateRecord {
   double longitudinal;      ///< z_l = ρ c_l, kg/(m² s)
   double transverse;        ///< z_t = ρ c_t; zero for a fluid
   double smoothing_length;  ///< h
+  double failed;            ///< 1 where D = 1, otherwise 0
 
   static constexpr int index(int i, int j) { return EulerianRecord<D>::index(i, j); }
 

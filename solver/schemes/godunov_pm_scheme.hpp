@@ -42,7 +42,7 @@ class GodunovPmScheme final : public GodunovScheme<space, Kernel, ContactStateRe
                                    p.template vectors<D>(Field::position), p.template vectors<D>(Field::velocity),
                                    p.template symmetrics<D>(Field::deviatoric_stress), p.scalars(Field::mass),
                                    p.scalars(Field::density), p.scalars(Field::pressure), p.scalars(Field::wave_speed),
-                                   p.scalars(Field::smoothing_length), this->thickness(),
+                                   p.scalars(Field::smoothing_length), this->damage(), this->thickness(),
                                    shear_modulus_of(*run.material), membrane_density(), records_.data()});
       });
       neighbourhood_.mirror().fill(records_, p.count());
