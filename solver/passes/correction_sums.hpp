@@ -9,9 +9,10 @@
 
 namespace tektite {
 
-/// Sums from which the mixed correction follows (Young et al. 2021, eq. 3-5): S = Σ V W, itself included, and
-/// g = Σ V ∇W; then, with these, M = Σ V (∇W - (g/S) W)/S ⊗ (x_b - x_a), whose inverse is K. A record has the members
-/// x, volume, smoothing_length and correction, of the reference configuration or of the present one.
+/// Sums from which the mixed correction follows (Young et al. 2021, eq. 3-5): S = Σ V W, itself included (on a symmetry
+/// plane with its image, which is no neighbour but the other half of it), and g = Σ V ∇W; then, with these, M = Σ V (∇W
+/// - (g/S) W)/S ⊗ (x_b - x_a), whose inverse is K. A record has the members x, volume, smoothing_length and correction,
+/// of the reference configuration or of the present one.
 template <class Kernel, int D, class Record>
 struct CorrectionSums {
   const Record* records;
@@ -22,6 +23,7 @@ struct CorrectionSums {
   Tensor<double, D>* moment;
 
   struct Self {
+    std::size_t i;
     Vector<Pack, D> x;
     Pack h;
     Correction<Pack, D> correction;
@@ -35,16 +37,15 @@ struct CorrectionSums {
 
   Self begin(std::size_t i) const {
     const Record& r = records[i];
-    return {broadcast(r.x), r.smoothing_length, broadcast(r.correction)};
+    return {i, broadcast(r.x), r.smoothing_length, broadcast(r.correction)};
   }
 
   void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
     const auto x = a.x - gathered(records, j, &Record::x);
     const KernelPair<Kernel, D> pair(x, Pack(0.5) * (a.h + gathered(records, j, &Record::smoothing_length)));
-    const Pack other = is_other(x);
-    const Pack volume = gathered(records, j, &Record::volume) * other;
+    const Pack volume = select(is_other(a.i, j), gathered(records, j, &Record::volume), Pack(0.0));
     sums.kernel += volume * pair.value;
-    sums.neighbours += select(pair.value > Pack(0.0), other, Pack(0.0));
+    sums.neighbours += select(pair.value > Pack(0.0), is_other(x), Pack(0.0));
     const auto corrected = a.correction.gradient(pair.slope, pair.value);
     for (int r = 0; r < D; ++r) {
       sums.gradient[r] += volume * pair.slope[r];

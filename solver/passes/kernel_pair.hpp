@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "core/pack.hpp"
 #include "core/tensor.hpp"
 
@@ -42,9 +44,18 @@ Pack closeness(const Pack& value, const Pack& spacing, const Pack& h, int expone
 }
 
 /// Lanes that hold a neighbour and not the particle itself, which fills a list up; a sum over kernel values needs it.
+/// That by the place leaves out the image of a particle on a symmetry plane too, which is right where differences
+/// between both are summed up: they are none.
 template <int D>
 Pack is_other(const Vector<Pack, D>& x) {
   return select(dot(x, x) > Pack(0.0), Pack(1.0), Pack(0.0));
+}
+
+/// The same by the index: that image has the other half of the particle, so a sum of the kernel's values alone needs
+/// it.
+inline Pack::mask_type is_other(std::size_t i, const std::uint32_t* j) {
+  const Pack other([&](auto lane) { return static_cast<double>(j[static_cast<std::size_t>(lane)]); });
+  return other != Pack(static_cast<double>(i));
 }
 
 }  // namespace tektite

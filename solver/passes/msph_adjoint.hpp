@@ -29,9 +29,7 @@ struct MsphAdjoint {
 
     const Pack over_h = Pack(1.0) / gather.read(j, [](const auto& q) -> const double& { return q.smoothing_length; });
     const Vector<Pack, D> xi = (Pack(-own.smoothing_length) * over_h) * p.xi;
-    const Pack distance_squared = dot(xi, xi);
-    const auto near =
-        distance_squared > Pack(0.0) && distance_squared < Pack(MsphGather<D>::support * MsphGather<D>::support);
+    const auto near = p.other && dot(xi, xi) < Pack(MsphGather<D>::support * MsphGather<D>::support);
     const auto phi = Weights::at(xi);
     const auto row = [&](int r) {
       Pack s = 0.0;

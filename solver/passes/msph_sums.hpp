@@ -5,17 +5,20 @@
 
 #include "passes/eulerian_record.hpp"
 #include "passes/gathered.hpp"
+#include "passes/kernel_pair.hpp"
 #include "passes/msph_basis.hpp"
 
 namespace tektite {
 
 /// Four neighbours as a particle sees them: ξ = (x_j - x_i)/h_i, and V_j = m_j/ρ_j where they are within the support
-/// and not the particle itself.
+/// and not the particle itself, which fills a list up. The image of a particle on a symmetry plane is a neighbour of
+/// it, in its own place and with the other half of its mass.
 template <int D>
 struct MsphPair {
   Vector<Pack, D> xi;
   Pack volume;
   Pack distance_squared;
+  Pack::mask_type other;  ///< not the particle itself
 };
 
 template <int D>
@@ -42,7 +45,8 @@ struct MsphGather {
     for (int k = 0; k < D; ++k)
       p.xi[k] = (read(j, [k](const auto& r) -> const double& { return r.x[k]; }) - a.x[k]) * a.over_h;
     p.distance_squared = dot(p.xi, p.xi);
-    const auto near = p.distance_squared > Pack(0.0) && p.distance_squared < Pack(support * support);
+    p.other = is_other(a.i, j);
+    const auto near = p.other && p.distance_squared < Pack(support * support);
     p.volume = select(near, read(j, [](const auto& r) -> const double& { return r.volume; }), Pack(0.0));
     return p;
   }

@@ -121,13 +121,27 @@ TEST_CASE("Symmetry planes: they hold for the Godunov schemes", "[symmetry]") {
     }
 }
 
-TEST_CASE("Symmetry planes: they hold for either form of msph", "[symmetry]") {
-  for (const std::string forces : {"strong", "adjoint"}) {
-    const auto scheme =
-        "scheme = { type = 'msph', forces = '" + forces + "' }\nsmoothing.kernel = 'truncated-gaussian'\n";
-    check_cut<Space::plane_strain>(Arrangement::beside_it, {1}, scheme);
-    check_cut<Space::solid>(Arrangement::beside_it, {1, 2}, scheme);
-  }
+TEST_CASE("Symmetry planes: they hold for either form of msph, and for ssph", "[symmetry]") {
+  for (const auto arrangement : {Arrangement::on_the_plane, Arrangement::beside_it})
+    for (const std::string type : {"type = 'msph'", "type = 'msph', forces = 'adjoint'", "type = 'ssph'"}) {
+      const auto scheme = "scheme = { " + type + " }\nsmoothing.kernel = 'truncated-gaussian'\n";
+      check_cut<Space::plane_strain>(arrangement, {1}, scheme);
+      check_cut<Space::solid>(arrangement, {1, 2}, scheme);
+    }
+}
+
+TEST_CASE("Symmetry planes: they hold with kernels that are corrected", "[symmetry]") {
+  for (const auto arrangement : {Arrangement::on_the_plane, Arrangement::beside_it})
+    for (const std::string scheme :
+         {"scheme = { correction = 'mixed', correction_limit = 10.0",
+          "contact.model = 'kernel-penalty'\nscheme = { type = 'total-lagrangian'",
+          "contact.model = 'kernel-penalty'\nscheme = { type = 'adaptle', correction = 'mixed', conversion = 'strain', "
+          "conversion_strain = 0.1",
+          "scheme = { type = 'godunov-split', limiter.model = 'van-leer', correction = 'mixed', correction_limit = "
+          "10.0"}) {
+      check_cut<Space::plane_strain>(arrangement, {1}, scheme + " }\n");
+      check_cut<Space::solid>(arrangement, {1, 2}, scheme + " }\n");
+    }
 }
 
 TEST_CASE("Symmetry planes: a bar that runs into a plane is half of two equal bars that collide", "[symmetry]") {
