@@ -21,7 +21,9 @@ class Converter {
   explicit Converter(Conversion settings) : settings_(settings), limit_(settings.strain) {}
 
   /// Converts who has reached the criterion, with its neighbours in the reference configuration, and the
-  /// total-Lagrangian neighbours of an Eulerian particle whose F no longer describes it. True where any was.
+  /// total-Lagrangian neighbours of an Eulerian particle whose F no longer describes it. So does a failed particle that
+  /// had left the sums (without volume in `reference`) with its neighbours: they will see it again, where it has come
+  /// to without them. True where any was.
   bool convert(Particles& particles, const PairList& pairs, const Mirror<D>& mirror,
                const std::vector<ReferenceRecord<D>>& reference, const std::vector<Tensor<double, D>>& deformation,
                const std::vector<StressRecord<D>>& stress) {
@@ -36,19 +38,28 @@ class Converter {
     });
     if (std::ranges::find(marked_, 1) == marked_.end()) return false;
     const auto types = particles.integers(Field::kernel_type);
-    bool any = false;
+    bool any = false, more = true;
     const auto turn = [&](std::size_t i) {
       constexpr auto eulerian = static_cast<std::int64_t>(KernelType::eulerian);
-      any = any || types[i] != eulerian;
+      if (types[i] == eulerian) return;
       types[i] = eulerian;
+      any = true;
+      if (reference[i].volume != 0.0) return;
+      next_[i] = 1;
+      more = true;
     };
-    for (const auto& block : pairs.blocks())
-      for (std::size_t k = 0; k + 1 < block.first.size(); ++k) {
-        if (!marked_[block.begin + k]) continue;
-        turn(block.begin + k);
-        for (auto n = block.first[k]; n < block.first[k + 1]; ++n)
-          turn(mirror.source_of(block.neighbours[n], particles.count()));
-      }
+    while (more) {
+      more = false;
+      next_.assign(marked_.size(), 0);
+      for (const auto& block : pairs.blocks())
+        for (std::size_t k = 0; k + 1 < block.first.size(); ++k) {
+          if (!marked_[block.begin + k]) continue;
+          turn(block.begin + k);
+          for (auto n = block.first[k]; n < block.first[k + 1]; ++n)
+            turn(mirror.source_of(block.neighbours[n], particles.count()));
+        }
+      marked_.swap(next_);
+    }
     return any;
   }
 
@@ -63,7 +74,7 @@ class Converter {
 
   Conversion settings_;
   StrainLimit limit_;
-  std::vector<std::uint8_t> marked_;
+  std::vector<std::uint8_t> marked_, next_;
 };
 
 }  // namespace tektite

@@ -46,8 +46,9 @@ class EulerianPart {
   /// Eulerian particles that go without correction.
   std::size_t without_correction() const { return sums_.without(); }
 
-  /// The rates of the Eulerian particles. `motion` is the middle of the step, as the half fields are.
-  void evaluate(const std::vector<MotionRecord<D>>& motion) {
+  /// The rates of the Eulerian particles. `motion` is the middle of the step, as the half fields are; who has no volume
+  /// in `reference` has failed and is nobody's neighbour, here as there: it would push without being pushed.
+  void evaluate(const std::vector<MotionRecord<D>>& motion, const std::vector<ReferenceRecord<D>>& reference) {
     if (!any()) return;
     auto& p = particles_;
     records_.resize(p.count());
@@ -67,6 +68,7 @@ class EulerianPart {
       records_[i].x = motion[i].x;
       records_[i].v = motion[i].v;
       assemble(i);
+      if (reference[i].volume == 0.0) records_[i].volume = 0.0;
     });
     const typename CorrectedSums<Kernel, D>::Among among{members, eulerian_.data()};
     sums_.evaluate(p, neighbourhood_.pairs(), neighbourhood_.mirror(), records_, among);

@@ -166,11 +166,15 @@ class TotalLagrangianScheme final : public Scheme {
       neighbours_.drop_lists_of_lattices();
   }
 
-  /// Copies who is Eulerian into the records.
+  /// Copies who is Eulerian into the records: an Eulerian particle has its volume, also where it had failed before and
+  /// left the sums.
   void note_kernel_types() {
     const auto types = particles_.integers(Field::kernel_type);
+    const auto* volume = particles_.scalars(Field::reference_volume);
     for_each(particles_.count(), [&](std::size_t i) {
-      reference_[i].lagrangian = types[i] == static_cast<std::int64_t>(KernelType::total_lagrangian) ? 1.0 : 0.0;
+      auto& r = reference_[i];
+      r.lagrangian = types[i] == static_cast<std::int64_t>(KernelType::total_lagrangian) ? 1.0 : 0.0;
+      if (r.lagrangian == 0.0) r.volume = volume[i];
     });
     mirror_.fill(reference_, particles_.count());
   }
@@ -195,6 +199,7 @@ class TotalLagrangianScheme final : public Scheme {
     const auto scope = profile_.time("conversion");
     if (!converter_.convert(particles_, neighbours_.pairs(), mirror_, reference_, deformation_, stress_)) return;
     note_kernel_types();
+    neighbours_.fill(reference_);
     if (contact_) contact_->note_conversion();
     drop_pairs();
     eulerian_->renew();
@@ -251,7 +256,7 @@ class TotalLagrangianScheme final : public Scheme {
     }
     if (eulerian_) {
       if constexpr (D == 2) interface_.add(p, mirror_, reference_, motion_, stress_);
-      eulerian_->evaluate(motion_);
+      eulerian_->evaluate(motion_, reference_);
     }
     if (contact_)
       contact_->add_forces([this](std::size_t i) { return motion_[i].x; }, p.template vectors<D>(Field::acceleration));
