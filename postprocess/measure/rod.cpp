@@ -1,5 +1,7 @@
 // What is measured of a Taylor bar, in an axisymmetric space or a solid, along y about the origin: its length, the rear
-// part that stayed as it was, and the face that struck.
+// part that stayed as it was, and the face that struck. Extents are those of the outermost particles. These lie on the
+// surface or up to half a spacing within it, at either end, as the arrangement has it, which the snapshots do not tell:
+// the uncertainty of an extent is a whole spacing.
 
 #include <fmt/format.h>
 
@@ -69,7 +71,7 @@ Measured final_length(const Event& event, const std::string& name) {
   const auto rod = rod_of(event, name);
   const double top = rod.extreme(false, 1, 1.0), bottom = rod.extreme(false, 1, -1.0);
   const Segment drawn{{0.0, bottom, 0.0}, {0.0, top, 0.0}};
-  return {top - bottom, rod.time, 0.5 * rod.spacing, drawn};
+  return {top - bottom, rod.time, rod.spacing, drawn};
 }
 
 /// Along the mantle, to where the strain passes the limit; linear between two particles.
