@@ -9,23 +9,28 @@
 
 namespace tektite {
 
-/// Area, in the plane, of the body's particles that have failed, D = 1, in the last snapshot.
+/// Area, in the plane, of the body's particles that have failed, D = 1, in the last snapshot. Of rings it would be a
+/// volume.
 /// The edge of the failed region is known to a spacing: the uncertainty is half of what the particles beside it cover,
 /// taken as those with D between 0 and 1. Keys: body.
 Measure read_damaged_area(Section& section, const Declared& declared) {
-  if (dimensions_of(declared.space) != 2)
+  if (declared.space != Space::plane_strain && declared.space != Space::plane_stress)
     throw section.fault("", "an area lies in the plane", "plane-strain, plane-stress");
   const auto name = read_body(section, "body", declared);
   return [=](const Event& event) {
     const auto& particles = event.last_snapshot.particles;
     if (!particles.has(Field::damage)) throw RunError("the last snapshot has no damage");
     const auto damage = particles.reals(Field::damage), density = particles.reals(Field::density);
+    const auto thickness = [&](std::size_t i) {  // of a sheet, over that at the start
+      return particles.has(Field::thickness) ? particles.reals(Field::thickness)[i] : 1.0;
+    };
     const auto& whole = event.last;
     const auto body = whole.body_named(name);
     double failed = 0.0, beside = 0.0;
     for (std::size_t i = 0; i < whole.count(); ++i) {
       if (whole.body[i] != body) continue;
-      const double d = damage[whole.source[i]], area = whole.mass[i] / density[whole.source[i]];
+      const auto k = whole.source[i];
+      const double d = damage[k], area = whole.mass[i] / (density[k] * thickness(k));
       if (d >= 1.0)
         failed += area;
       else if (d > 0.0)

@@ -39,4 +39,19 @@ TEST_CASE("Rod: extents are exact with particles on the surface, and right to th
   }
 }
 
+TEST_CASE("Damaged area: what has failed of a sheet has its area, however thin it has become") {
+  std::vector<Placed> placed;
+  for (int k = 0; k < 10; ++k) placed.push_back({"body", {k * spacing, 0.0, 0.0}, Point::zero()});
+  Event event;
+  event.last_snapshot = snapshot_of(Space::plane_stress, placed, 1.0, "", as_it_is);
+  auto& particles = event.last_snapshot.particles;
+  particles.allocate(Field::damage);
+  particles.allocate(Field::thickness);
+  std::ranges::fill(particles.reals(Field::thickness), 0.8);
+  for (auto& density : particles.reals(Field::density)) density /= 0.8;
+  for (int k = 0; k < 4; ++k) particles.reals(Field::damage)[static_cast<std::size_t>(k)] = 1.0;
+  event.initial = event.last = make_whole(event.last_snapshot, {});
+  CHECK(take("damaged_area", Space::plane_stress, event).value == Approx(4.0 * spacing * spacing).epsilon(1e-12));
+}
+
 }  // namespace tektite::test
