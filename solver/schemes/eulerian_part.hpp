@@ -7,6 +7,7 @@
 #include "neighbours/neighbourhood.hpp"
 #include "neighbours/reference_pairs.hpp"
 #include "passes/assemble_records.hpp"
+#include "passes/lagrangian_records.hpp"
 #include "schemes/corrected_sums.hpp"
 
 namespace tektite {
