@@ -14,6 +14,7 @@
 #include "core/error.hpp"
 #include "core/program.hpp"
 #include "core/system_words.hpp"
+#include "front/held_signals.hpp"
 
 namespace tektite::front {
 namespace {
@@ -63,12 +64,6 @@ std::vector<char*> argument_vector(Words& words) {
   return vector;
 }
 
-/// Gives the process its signal mask back.
-struct Restore {
-  sigset_t mask;
-  ~Restore() { ::sigprocmask(SIG_SETMASK, &mask, nullptr); }
-};
-
 Words with_program(const std::string& path, const Words& arguments) {
   Words words{path};
   words.insert(words.end(), arguments.begin(), arguments.end());
@@ -88,7 +83,7 @@ void lead(int stream, const std::string& file) {
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (::getppid() != front) ::_exit(exit_failed);
   for (const int signal : {SIGINT, SIGTERM, SIGCHLD}) ::signal(signal, SIG_DFL);
-  ::sigprocmask(SIG_SETMASK, &mask, nullptr);
+  ::pthread_sigmask(SIG_SETMASK, &mask, nullptr);
   lead(STDOUT_FILENO, streams.output);
   lead(STDERR_FILENO, streams.faults);
   ::execvp(words[0], words);
@@ -98,13 +93,8 @@ void lead(int stream, const std::string& file) {
 
 /// Starts a child; a signal that comes while it starts waits until the child is known.
 pid_t start(const std::string& path, const Words& arguments, Show show) {
-  sigset_t both, before;
-  sigemptyset(&both);
-  sigaddset(&both, SIGINT);
-  sigaddset(&both, SIGTERM);
-  ::sigprocmask(SIG_BLOCK, &both, &before);
-  const Restore restore{before};
-  const auto child = spawn(path, arguments, {show == Show::nothing ? "/dev/null" : "", ""}, before);
+  const HeldSignals signals({SIGINT, SIGTERM});
+  const auto child = spawn(path, arguments, {show == Show::nothing ? "/dev/null" : "", ""}, signals.before());
   child_running = child;
   return child;
 }

@@ -27,7 +27,7 @@ constexpr double least_half_steps = 4.0;
 
 template <int D>
 Neighbourhood<D>::Neighbourhood(Particles& particles, double support, std::vector<SymmetryPlane> planes, Search search)
-    : particles_(particles), support_(support), search_(search), mirror_(std::move(planes)) {}
+    : particles_(particles), support_(support), search_(std::move(search)), mirror_(std::move(planes)) {}
 
 template <int D>
 double Neighbourhood<D>::diagonal(const typename DisplacementBox<D>::Box& box) const {

@@ -39,8 +39,9 @@ Subject read_subject(const StabilityLine& line) {
     throw InputError(
         {{line.scene, 0}, "material", subject.material, "the study has to name a material of this scene", join(known)});
   }
-  LatticeBlock(subject.settings,
-               {subject.material, 1.0, deformation_for(materials.at(subject.material), subject.dimensions(), 0.0)}, 2);
+  [[maybe_unused]] const LatticeBlock tried(  // refuses what cannot be analysed
+      subject.settings,
+      {subject.material, 1.0, deformation_for(materials.at(subject.material), subject.dimensions(), 0.0)}, 2);
   return subject;
 }
 
@@ -91,7 +92,7 @@ std::string wave_rows(const Subject& subject, const StabilityStudy& study) {
   const bool simple = subject.settings.scheme.type != "adaptle";
   const int turns = subject.dimensions() == 1 ? 0 : directions;
   const auto angle = [](std::size_t k) { return static_cast<double>(k) * 90.0 / directions; };
-  const auto lengths = static_cast<std::size_t>(2 * study.waves);
+  const auto lengths = 2 * static_cast<std::size_t>(study.waves);
   const auto where = [&](std::size_t k) {
     return fmt::format("{},{:.4f},{:g}", subject.line->name,
                        static_cast<double>(k % lengths + 1) / static_cast<double>(lengths), angle(k / lengths));

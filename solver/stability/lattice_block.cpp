@@ -89,8 +89,9 @@ std::vector<double> deformation_for(const Material& material, int dimensions, do
     (tension(middle) > stress ? low : high) = middle;
   }
   const double stretch = std::pow(material.density / high, 1.0 / dimensions);
-  std::vector<double> f(static_cast<std::size_t>(dimensions * dimensions), 0.0);
-  for (int k = 0; k < dimensions; ++k) f[static_cast<std::size_t>(k * dimensions + k)] = stretch;
+  const auto d = static_cast<std::size_t>(dimensions);
+  std::vector<double> f(d * d, 0.0);
+  for (std::size_t k = 0; k < d; ++k) f[k * d + k] = stretch;
   return f;
 }
 
@@ -140,7 +141,7 @@ Particles LatticeBlock::make_particles(const RunSettings& settings, const Lattic
                       "line, plane-strain, plane-stress"});
   const int rows = dimensions_of(space) == 1 ? 0 : half_width_;
   const int across = 2 * half_width_ + columns_;
-  const auto number = static_cast<std::size_t>(across * (2 * rows + 1));
+  const auto number = static_cast<std::size_t>(across) * static_cast<std::size_t>(2 * rows + 1);
   Particles particles(space, {{"block", state.material, spacing, {0, number}}});
   for (const auto field : {Field::id, Field::position, Field::velocity, Field::mass, Field::density,
                            Field::smoothing_length, Field::kernel_type})
