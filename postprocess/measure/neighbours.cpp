@@ -14,9 +14,11 @@ namespace tektite {
 namespace {
 
 /// Distance from each particle of a body to its nearest neighbour in it, in spacings; particles without a neighbour
-/// within the support of the kernel have the support's radius. Other bodies' particles have infinity.
+/// within the support of the kernel have the support's radius. Other bodies' particles have infinity. A particle on a
+/// symmetry plane or the axis lies where its own image does, which is no neighbour of it.
 std::vector<double> nearest_distances(const Whole& whole, std::int32_t body) {
   const double spacing = whole.bodies[static_cast<std::size_t>(body)].spacing;
+  const double same_place = 1e-6 * spacing;
   const auto& h = whole.smoothing_length;
   const double support = link_of_support * *std::max_element(h.begin(), h.end());
   const PointGrid grid(whole.position, support);
@@ -25,7 +27,10 @@ std::vector<double> nearest_distances(const Whole& whole, std::int32_t body) {
     if (whole.body[i] != body) continue;
     double least = support;
     grid.around(whole.position[i], whole.dimensions, [&](std::uint32_t j) {
-      if (j != i && whole.body[j] == body) least = std::min(least, norm(whole.position[i] - whole.position[j]));
+      if (j == i || whole.body[j] != body) return;
+      const double apart = norm(whole.position[i] - whole.position[j]);
+      if (whole.source[j] == whole.source[i] && apart < same_place) return;
+      least = std::min(least, apart);
     });
     nearest[i] = least / spacing;
   }

@@ -50,6 +50,21 @@ TEST_CASE("Clumping: the smallest distance between neighbours is told in spacing
   CHECK(measured.uncertainty < 0.6);
 }
 
+TEST_CASE("Clumping: a particle on symmetry planes does not clump with its own image, one beside them does") {
+  const TemporaryFolder folder;
+  const std::vector<SymmetryPlane> planes{{0, 0.0, 1.0}, {1, 0.0, 1.0}};
+  auto event = event_between(square(1.0, 0.0, 0.0), square(1.0, 0.0, 3e-6), planes);  // its first rows lie on both
+  event.snapshots = {folder.file("0.h5"), folder.file("1.h5")};
+  for (const auto& path : event.snapshots) write_snapshot(event.last_snapshot, path);
+  CHECK(take_of(scene, "min_neighbour_distance", event).value == Approx(1.0).epsilon(1e-9));
+  CHECK_THROWS_WITH(take_of(scene, "clumping_time", event), Catch::Contains("nearer than 0.5"));
+
+  auto beside = event.last_snapshot;
+  beside.particles.vectors<2>(Field::position)[side * 10][1] = 0.2 * spacing;
+  CHECK(take_of(scene, "min_neighbour_distance", event_between(event.last_snapshot, beside, planes)).value ==
+        Approx(0.4).epsilon(1e-9));
+}
+
 TEST_CASE("Clumping: its time is that of the first snapshot in which two particles are nearer than half a spacing") {
   const TemporaryFolder folder;
   auto event = event_of_square(0.3, 0.0);
