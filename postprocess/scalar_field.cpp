@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 #include "core/tensor.hpp"
@@ -111,6 +112,26 @@ std::string scalar_field_unit(const std::string& name) {
   if (const auto* component = component_named(name)) return std::string(info(component->needed).unit);
   const auto field = field_named(name);
   return field ? std::string(info(*field).unit) : "1";
+}
+
+bool turns_in_mirror(const std::string& name, int axis) {
+  const auto* component = component_named(name);
+  if (!component) return false;
+  if (component->needed == Field::velocity) return component->row == axis;
+  return (component->row == axis) != (component->column == axis);
+}
+
+std::vector<double> with_images(const std::vector<double>& values, const std::string& name, const Whole& whole,
+                                const std::vector<SymmetryPlane>& planes) {
+  unsigned turning = 0;  // the planes that turn the sign, as bits of an image
+  for (std::size_t k = 0; k < planes.size(); ++k)
+    if (turns_in_mirror(name, planes[k].axis)) turning |= 1u << k;
+  std::vector<double> all(whole.count());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const bool turned = std::popcount(whole.image[i] & turning) % 2 == 1;
+    all[i] = turned ? -values[whole.source[i]] : values[whole.source[i]];
+  }
+  return all;
 }
 
 std::vector<double> von_mises_stress(const Particles& particles) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/snapshot.hpp"
+#include "postprocess/whole.hpp"
 
 namespace tektite {
 
@@ -17,8 +18,15 @@ const std::vector<std::string>& scalar_field_names();
 /// SI unit of a known name; "1" where it has none.
 std::string scalar_field_unit(const std::string& name);
 
+/// Whether the value turns its sign in a mirror across `axis` (0 = x): a velocity across it, a shear stress with it.
+bool turns_in_mirror(const std::string& name, int axis);
+
 /// The values, one a computed particle; nullopt where the snapshot does not hold what this needs.
 std::optional<std::vector<double>> scalar_field(const Snapshot& snapshot, const std::string& name);
+
+/// The values of a snapshot's computed particles, those of field `name`, for all of the whole with images in `planes`.
+std::vector<double> with_images(const std::vector<double>& values, const std::string& name, const Whole& whole,
+                                const std::vector<SymmetryPlane>& planes);
 
 /// √(3/2 s:s) of a deviatoric stress, one a computed particle; the snapshot must hold deviatoric_stress.
 std::vector<double> von_mises_stress(const Particles& particles);

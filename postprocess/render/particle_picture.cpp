@@ -105,8 +105,7 @@ void draw_particles(const Picture& picture, const Snapshot& snapshot, const Draw
   const auto cut = cut_of(picture, drawing.scene);
   const auto drawn = particles_to_draw(picture, whole, cut);
 
-  std::vector<double> values(whole.count());
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] = (*field)[whole.source[i]];
+  auto values = with_images(*field, picture.field, whole, drawing.scene.symmetry);
   const auto range = picture.range.value_or(usual_range(picture.field, values, drawn));
   const auto unit =
       shown_unit(std::max(std::abs(range.first), std::abs(range.second)), scalar_field_unit(picture.field));

@@ -1,5 +1,6 @@
 // Pictures are drawn, show what they should, and their absence is told.
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -107,6 +108,22 @@ TEST_CASE("Pictures: a cut through a solid takes away one half of it") {
   const int whole = covered("none");
   CHECK(covered("y") > 0.5 * whole);
   CHECK(covered("y") < 0.6 * whole);
+}
+
+TEST_CASE("Pictures: on a half model a velocity has its sign turned behind the symmetry plane") {
+  Made made(Space::plane_strain);
+  auto placed = impact(Space::plane_strain, nullptr, true);
+  for (auto& particle : placed) particle.velocity = {0.0, 100.0, 0.0};
+  made.event.last_snapshot = snapshot_of(Space::plane_strain, placed, 8e-6, "", as_it_is);
+  made.scene.symmetry = {{1, 0.0, 1.0}};
+  auto picture = small_picture("velocity_y");
+  picture.measures = false;
+  REQUIRE(made.draw(picture).size() == 1);
+  // Two areas of one colour each: the upper and the lower half.
+  const auto colours = colours_of(made.folder.file("pictures/velocity_y.png"));
+  CHECK(std::ranges::count_if(colours, [](const auto& entry) {
+          return entry.first != Colour{255, 255, 255} && entry.second > 640 * 400 / 100;
+        }) == 2);
 }
 
 TEST_CASE("Pictures: a history is drawn with one line a column") {

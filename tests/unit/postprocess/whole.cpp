@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "core/error.hpp"
+#include "postprocess/scalar_field.hpp"
 #include "postprocess/whole.hpp"
 #include "unit/postprocess/synthetic.hpp"
 
@@ -28,6 +29,18 @@ TEST_CASE("Whole: two planes make four quarters, three make eight octants") {
   CHECK(whole.position[7][0] == -1.0);
   CHECK(whole.position[7][1] == -2.0);
   CHECK(whole.position[7][2] == -3.0);
+}
+
+TEST_CASE("Whole: what is odd across a plane turns its sign in the image, and back in the image of that") {
+  const auto snapshot = snapshot_of(Space::solid, {{"a", {1.0, 2.0, 3.0}, {0, 0, 0}}}, 0.0, "", as_it_is);
+  const std::vector<SymmetryPlane> planes{{1, 0.0, 1.0}, {0, 0.0, 1.0}};
+  const auto whole = make_whole(snapshot, planes);
+  const auto seen = [&](const std::string& field) { return with_images({5.0}, field, whole, planes); };
+  CHECK(seen("velocity_y") == std::vector<double>{5.0, -5.0, 5.0, -5.0});
+  CHECK(seen("velocity_x") == std::vector<double>{5.0, 5.0, -5.0, -5.0});
+  CHECK(seen("stress_xy") == std::vector<double>{5.0, -5.0, -5.0, 5.0});
+  for (const auto* even : {"velocity_z", "stress_xx", "stress_yy", "pressure", "speed", "body"})
+    CHECK(seen(even) == std::vector<double>(4, 5.0));
 }
 
 TEST_CASE("Whole: particles are found again by id and image after they were ordered anew") {
