@@ -94,7 +94,10 @@ Whole make_whole(const Snapshot& snapshot, const std::vector<SymmetryPlane>& pla
   for (std::size_t i = 0; i < count; ++i) whole.source[i] = static_cast<std::uint32_t>(i);
   whole.image.assign(count, 0);
   whole.severed = severed(particles);
-  for (std::size_t k = 0; k < planes.size(); ++k) add_images(whole, planes[k], static_cast<int>(k));
+  for (std::size_t k = 0; k < planes.size(); ++k) {
+    add_images(whole, planes[k], static_cast<int>(k));
+    if (hoops_of(particles.space()) > 0 && planes[k].axis == 0) whole.axis_image = static_cast<std::uint8_t>(1u << k);
+  }
   return whole;
 }
 

@@ -17,10 +17,11 @@ using Point = Vector<double, 3>;
 
 struct Whole {
   int dimensions = 0;
-  double time = 0.0;         ///< in s
-  std::vector<Body> bodies;  ///< as in the snapshot; ranges are those of the computed particles
+  double time = 0.0;            ///< in s
+  std::vector<Body> bodies;     ///< as in the snapshot; ranges are those of the computed particles
+  std::uint8_t axis_image = 0;  ///< of a radial space: the bit of `image` that is the axis or centre
 
-  // One entry a particle, images after the computed ones.
+  // One entry a particle: of n computed ones, the image m of the k-th is the entry m n + k.
   std::vector<Point> position;           ///< in m
   std::vector<Point> velocity;           ///< in m/s
   std::vector<double> mass;              ///< in kg

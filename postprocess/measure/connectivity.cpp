@@ -30,10 +30,19 @@ class UnionFind {
   std::vector<std::uint32_t> parent_;
 };
 
+/// A particle and its image in the axis are one ring, seen on both sides.
+void join_rings(UnionFind& sets, const Whole& whole) {
+  if (whole.axis_image == 0) return;
+  const auto computed = static_cast<std::uint32_t>(std::ranges::count(whole.image, 0));
+  for (std::uint32_t i = 0; i < whole.count(); ++i)
+    if ((whole.image[i] & whole.axis_image) != 0) sets.join(i, i - computed * whole.axis_image);
+}
+
 UnionFind link_neighbours(const Whole& whole, double link) {
   const auto& h = whole.smoothing_length;
   const PointGrid grid(whole.position, link * *std::max_element(h.begin(), h.end()));
   UnionFind sets(whole.count());
+  join_rings(sets, whole);
   for (std::uint32_t i = 0; i < whole.count(); ++i) {
     if (whole.severed[i] != 0) continue;
     grid.around(whole.position[i], whole.dimensions, [&](std::uint32_t j) {
@@ -47,11 +56,12 @@ UnionFind link_neighbours(const Whole& whole, double link) {
 }
 
 void add_particle(Fragment& fragment, const Whole& whole, std::size_t i) {
+  const double mass = whole.axis_image == 0 ? whole.mass[i] : 0.5 * whole.mass[i];  // half of a ring on either side
   fragment.body = whole.body[i];
-  fragment.count += 1;
-  fragment.mass += whole.mass[i];
-  fragment.centre += whole.mass[i] * whole.position[i];
-  fragment.velocity += whole.mass[i] * whole.velocity[i];
+  fragment.count += (whole.image[i] & whole.axis_image) == 0 ? 1 : 0;
+  fragment.mass += mass;
+  fragment.centre += mass * whole.position[i];
+  fragment.velocity += mass * whole.velocity[i];
 }
 
 }  // namespace

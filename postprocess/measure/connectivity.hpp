@@ -2,7 +2,8 @@
 // Which particles of a body still hang together.
 //
 // Two particles of one body belong together while they are nearer than `link` times their mean smoothing length, and
-// neither of them is severed: that one is a fragment of its own. VTK's
+// neither of them is severed: that one is a fragment of its own. In a radial space a particle is a ring or a shell, and
+// on both sides of the axis the same one. VTK's
 // vtkEuclideanClusterExtraction knows one fixed radius, no bodies, and asks a locator point by point; the cell grid
 // with union-find here takes the radius from the pair and is linear in the number of particles.
 
@@ -23,7 +24,7 @@ inline constexpr double link_of_smoothing_length = 1.0;
 
 struct Fragment {
   std::int32_t body = 0;
-  std::size_t count = 0;
+  std::size_t count = 0;           ///< of particles; a ring is one
   double mass = 0.0;               ///< in kg
   Point centre = Point::zero();    ///< of mass, in m
   Point velocity = Point::zero();  ///< of the centre of mass, in m/s

@@ -47,7 +47,7 @@ Box framed(const Picture& picture, const Whole& whole, const std::vector<bool>& 
   }
   const auto fragments = find_fragments(whole, link_of_support);
   std::vector<double> body_mass(whole.bodies.size(), 0.0);
-  for (std::size_t i = 0; i < whole.count(); ++i) body_mass[static_cast<std::size_t>(whole.body[i])] += whole.mass[i];
+  for (const auto& fragment : fragments.list) body_mass[static_cast<std::size_t>(fragment.body)] += fragment.mass;
   for (std::size_t i = 0; i < whole.count(); ++i) {
     const auto& fragment = fragments.list[fragments.label[i]];
     if (!drawn[i] || fragment.mass < 0.01 * body_mass[static_cast<std::size_t>(fragment.body)]) continue;

@@ -44,6 +44,30 @@ TEST_CASE("Connectivity: fragments come the heaviest first, with mass, centre an
   CHECK(fragments.label[3] == 0);
 }
 
+TEST_CASE("Connectivity: a ring is one piece with its own mass, on both sides of the axis") {
+  std::vector<Placed> placed;
+  for (const double x : {0.5e-3, 1.5e-3}) placed.push_back({"rod", {x, 20e-3, 0}, {0.0, 3.0, 0}});
+  for (const double x : {10e-3, 11e-3, 12e-3}) placed.push_back({"rod", {x, 20e-3, 0}, {7.0, 5.0, 0}});
+  const auto snapshot = snapshot_of(Space::axisymmetric, placed, 0.0, "", as_it_is);
+  const SymmetryPlane axis{0, 0.0, 1.0}, below{1, 0.0, 1.0};
+  const double particle = 2785.0 * spacing * spacing;
+  const auto whole = find_fragments(make_whole(snapshot, {axis}), 2.0);
+  REQUIRE(whole.list.size() == 2);
+  CHECK(whole.list[0].count == 3);
+  CHECK(whole.list[0].mass == Approx(3 * particle));
+  CHECK(whole.list[0].centre[0] == Approx(0.0).margin(1e-12));
+  CHECK(whole.list[0].centre[1] == Approx(20e-3));
+  CHECK(whole.list[0].velocity[0] == Approx(0.0).margin(1e-12));
+  CHECK(whole.list[0].velocity[1] == Approx(5.0));
+  CHECK(whole.list[1].count == 2);
+  CHECK(whole.list[1].mass == Approx(2 * particle));
+  const auto both = find_fragments(make_whole(snapshot, {below, axis}), 2.0);  // a ring above the plane, one below
+  REQUIRE(both.list.size() == 4);
+  CHECK(both.list[0].mass == Approx(3 * particle));
+  CHECK(both.list[1].mass == Approx(3 * particle));
+  CHECK(both.list[3].count == 2);
+}
+
 TEST_CASE("Connectivity: the grid finds the fragments that comparing every pair finds") {
   // A cloud from a linear congruential generator, dense enough for fragments of many sizes.
   std::vector<Placed> placed;
