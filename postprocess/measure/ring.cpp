@@ -52,12 +52,11 @@ struct Chosen {
 };
 
 Chosen read_chosen(Section& section, const Declared& declared) {
-  const auto count = static_cast<std::size_t>(dimensions_of(declared.space));
-  if (count != 2) throw section.fault("", "a ring lies in the plane", "plane-strain, plane-stress");
+  if (!is_plane(declared.space)) throw section.fault("", "a ring lies in the plane", "plane-strain, plane-stress");
   Chosen chosen{read_body(section, "body", declared), Point::zero(), read_moment(section)};
   if (section.has("centre")) {
-    const auto values = section.quantities("centre", dimension::length, count);
-    for (std::size_t k = 0; k < count; ++k) chosen.centre[static_cast<int>(k)] = values[k];
+    const auto values = section.quantities("centre", dimension::length, 2);
+    chosen.centre = {values[0], values[1], 0.0};
   }
   return chosen;
 }

@@ -14,8 +14,7 @@ namespace tektite {
 /// The edge of the failed region is known to a spacing: the uncertainty is half of what the particles beside it cover,
 /// taken as those with D between 0 and 1. Keys: body.
 Measure read_damaged_area(Section& section, const Declared& declared) {
-  if (declared.space != Space::plane_strain && declared.space != Space::plane_stress)
-    throw section.fault("", "an area lies in the plane", "plane-strain, plane-stress");
+  if (!is_plane(declared.space)) throw section.fault("", "an area lies in the plane", "plane-strain, plane-stress");
   const auto name = read_body(section, "body", declared);
   return [=](const Event& event) {
     const auto& particles = event.last_snapshot.particles;

@@ -39,6 +39,11 @@ std::string unit_of_column(const std::string& column) {
   return column == "time" || column == "dt" ? "s" : "1";
 }
 
+std::string slice_of(const std::string& si_unit, Space space) {
+  const bool of_all = si_unit == "J" || si_unit == "kg m/s";
+  return of_all && is_plane(space) ? " (per metre of thickness)" : "";
+}
+
 void draw_history(const Picture& picture, const History& history, const Scene& scene, const std::string& path) {
   const auto si_unit = common_unit(picture);
   std::vector<ChartLine> lines;
@@ -47,10 +52,8 @@ void draw_history(const Picture& picture, const History& history, const Scene& s
   if (!picture.exact.empty()) lines.push_back(exact_line(picture.exact));
   const auto time_unit = show_in_unit(lines, &ChartLine::x, "s");
   const auto unit = show_in_unit(lines, &ChartLine::y, si_unit);
-  const bool energy = si_unit == "J" || si_unit == "kg m/s";
-  const std::string slice = energy && dimensions_of(scene.space) == 2 ? " (per metre of thickness)" : "";
-  draw_line_chart({fmt::format("{}: {}", scene.title, readable(picture.name)), "time, " + time_unit, unit + slice,
-                   lines, picture.width, picture.height},
+  draw_line_chart({fmt::format("{}: {}", scene.title, readable(picture.name)), "time, " + time_unit,
+                   unit + slice_of(si_unit, scene.space), lines, picture.width, picture.height},
                   path);
 }
 

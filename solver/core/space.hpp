@@ -46,6 +46,9 @@ constexpr int dimensions_of(Space space) {
   return 0;
 }
 
+/// Whether the space is a slice of constant direction across it, which a section through an axis is not.
+constexpr bool is_plane(Space space) { return space == Space::plane_strain || space == Space::plane_stress; }
+
 /// Directions about the axis or centre in which motion along the radius, the coordinate x, stretches matter: a ring's
 /// one (cylindrical, axisymmetric), a shell's two (spherical), none elsewhere.
 constexpr int hoops_of(Space space) {

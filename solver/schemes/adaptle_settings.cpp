@@ -16,7 +16,7 @@ Conversion read_conversion(Section& scheme) {
 }
 
 ArtificialStress read_artificial_stress(Section section, Space space, bool meets) {
-  if (dimensions_of(space) != 2)
+  if (!is_plane(space))
     throw section.fault({}, "artificial stress is defined by the principal stresses in a plane",
                         "space = plane-strain or plane-stress");
   ArtificialStress stress;

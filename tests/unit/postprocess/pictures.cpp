@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "postprocess/render/chart.hpp"
 #include "postprocess/render/draw.hpp"
 #include "support/temporary_folder.hpp"
 #include "unit/postprocess/colours.hpp"
@@ -124,6 +125,13 @@ TEST_CASE("Pictures: on a half model a velocity has its sign turned behind the s
   CHECK(std::ranges::count_if(colours, [](const auto& entry) {
           return entry.first != Colour{255, 255, 255} && entry.second > 640 * 400 / 100;
         }) == 2);
+}
+
+TEST_CASE("Pictures: energy and momentum of a plane are those of a slice, of rings they are whole") {
+  CHECK(slice_of("J", Space::plane_stress) == " (per metre of thickness)");
+  CHECK(slice_of("kg m/s", Space::plane_strain) == " (per metre of thickness)");
+  CHECK(slice_of("Pa", Space::plane_strain).empty());
+  CHECK(slice_of("J", Space::axisymmetric).empty());
 }
 
 TEST_CASE("Pictures: a history is drawn with one line a column") {

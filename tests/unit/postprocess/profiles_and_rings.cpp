@@ -75,10 +75,12 @@ TEST_CASE("Rings: the symmetry error is the spread of the innermost particles' r
   CHECK(values.at("symmetry_error").value == Approx(0.02 / 1.01).epsilon(0.01));  // the mean radius of the ellipse
 }
 
-TEST_CASE("Rings: a line has none") {
-  auto document = Document::parse("[measure.inner_radius]\nbody = 'bar'\n", "scene.toml");
-  auto root = document.root();
-  CHECK_THAT(test::fault_of([&] { read_measures(root, {Space::line, {"bar"}, {}}); }), Catch::Contains("plane"));
+TEST_CASE("Rings: a line has none, and a section through an axis neither") {
+  for (const auto space : {Space::line, Space::axisymmetric}) {
+    auto document = Document::parse("[measure.inner_radius]\nbody = 'bar'\n", "scene.toml");
+    auto root = document.root();
+    CHECK_THAT(test::fault_of([&] { read_measures(root, {space, {"bar"}, {}}); }), Catch::Contains("in the plane"));
+  }
 }
 
 TEST_CASE("Profiles: the error is the mean difference over the range of the exact solution") {
