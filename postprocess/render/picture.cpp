@@ -6,6 +6,7 @@
 
 #include "core/plain_name.hpp"
 #include "core/units.hpp"
+#include "postprocess/render/chart.hpp"
 #include "postprocess/scalar_field.hpp"
 
 namespace tektite {
@@ -16,6 +17,13 @@ constexpr Limits pixels{100, 10000};
 Dimension dimension_of(const std::string& unit) {
   if (unit == "1") return dimension::none;
   return parse_quantity("1 " + unit).value().dimension;
+}
+
+/// Points of an exact curve of a history or a profile.
+std::vector<std::vector<double>> read_exact(Section& section, const Picture& picture) {
+  const bool history = picture.type == PictureType::history;
+  const auto unit = history ? unit_of_column(picture.columns.front()) : scalar_field_unit(picture.field);
+  return section.points("exact", {history ? dimension::time : dimension::length, dimension_of(unit)}, 2);
 }
 
 std::optional<Region> read_view(Section& picture, Space space) {
@@ -129,7 +137,7 @@ std::vector<Picture> read_pictures(Section& root, const Declared& declared) {
     } else {
       read_particles(section, declared, picture);
     }
-    if (type != "particles" && section.has("exact")) picture.exact = section.points("exact", 2, 2);
+    if (type != "particles" && section.has("exact")) picture.exact = read_exact(section, picture);
     picture.width = static_cast<int>(section.integer("width", pixels, picture.width));
     picture.height = static_cast<int>(section.integer("height", pixels, picture.height));
     section.finish();

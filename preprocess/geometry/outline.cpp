@@ -41,7 +41,8 @@ std::vector<PlanePoint> moved(std::vector<PlanePoint> corners, const Placement& 
 
 std::vector<PlanePoint> read_outline(Section& section) {
   std::vector<PlanePoint> corners;
-  for (const auto& point : section.points("points", 2, 3)) corners.push_back({point[0], point[1]});
+  for (const auto& point : section.points("points", {dimension::length, dimension::length}, 3))
+    corners.push_back({point[0], point[1]});
   for (std::size_t k = 0; k < corners.size(); ++k)
     if (corners[k] == corners[(k + 1) % corners.size()])
       throw section.fault("points", "two points that follow each other are the same",

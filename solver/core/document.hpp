@@ -90,8 +90,9 @@ class Section {
   double quantity(const std::string& key, const Dimension& dimension, const Limits& limits, double otherwise);
   std::vector<double> quantities(const std::string& key, const Dimension& dimension, std::size_t count,
                                  const Limits& limits = {});
-  /// A list of points, each with `coordinates` lengths.
-  std::vector<std::vector<double>> points(const std::string& key, std::size_t coordinates, std::size_t least);
+  /// A list of at least `least` points, each with one quantity for every one of `coordinates`.
+  std::vector<std::vector<double>> points(const std::string& key, const std::vector<Dimension>& coordinates,
+                                          std::size_t least);
 
   std::int64_t integer(const std::string& key, const Limits& limits = {});
   std::int64_t integer(const std::string& key, const Limits& limits, std::int64_t otherwise);

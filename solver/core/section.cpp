@@ -162,7 +162,8 @@ std::vector<double> Section::quantities(const std::string& key, const Dimension&
   return values;
 }
 
-std::vector<std::vector<double>> Section::points(const std::string& key, std::size_t coordinates, std::size_t least) {
+std::vector<std::vector<double>> Section::points(const std::string& key, const std::vector<Dimension>& coordinates,
+                                                 std::size_t least) {
   const auto* array = node(key).as_array();
   if (!array || array->size() < least)
     throw fault(key, fmt::format("must be a list of at least {} points", least), "[[x, y], ...]");
@@ -170,12 +171,12 @@ std::vector<std::vector<double>> Section::points(const std::string& key, std::si
   toml::array converted;
   for (const auto& element : *array) {
     const auto* point = element.as_array();
-    if (!point || point->size() != coordinates)
-      throw fault(key, fmt::format("every point must have {} coordinates", coordinates), "[[x, y], ...]");
+    if (!point || point->size() != coordinates.size())
+      throw fault(key, fmt::format("every point must have {} coordinates", coordinates.size()), "[[x, y], ...]");
     auto& values = points.emplace_back();
     toml::array numbers;
-    for (const auto& coordinate : *point) {
-      values.push_back(convert(coordinate, key, dimension::length, limits::any));
+    for (std::size_t k = 0; k < coordinates.size(); ++k) {
+      values.push_back(convert((*point)[k], key, coordinates[k], limits::any));
       numbers.push_back(values.back());
     }
     converted.push_back(numbers);

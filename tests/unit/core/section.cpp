@@ -65,13 +65,16 @@ TEST_CASE("Section: lists of quantities and of points are checked for their leng
   CHECK_THAT(fault("x = 1", read_pair), Contains("must be a list of 2 values"));
   CHECK_THAT(fault("x = [1]", read_pair), Contains("x = [1]: must be a list of 2 values"));
   CHECK_THAT(fault("x = [1, \"1 s\"]", read_pair), Contains("this is a time"));
-  const auto read_points = [](Section& root) { root.points("x", 2, 3); };
+  const auto read_points = [](Section& root) { root.points("x", {dimension::length, dimension::speed}, 3); };
   CHECK_THAT(fault("x = [[1, 2], [3, 4]]", read_points), Contains("a list of at least 3 points"));
   CHECK_THAT(fault("x = [[1, 2], [3, 4], [5]]", read_points), Contains("every point must have 2 coordinates"));
   CHECK_THAT(fault("x = [[1, 2], [3, 4], 5]", read_points), Contains("every point must have 2 coordinates"));
-  auto document = Document::parse("x = [[\"1 mm\", 0], [1, 0], [0, 1]]", "scene.toml");
+  CHECK_THAT(fault("x = [[1, 2], [3, 4], [5, \"6 m\"]]", read_points),
+             Contains("this is a length") && Contains("speed"));
+  auto document = Document::parse("x = [[\"1 mm\", 0], [1, \"2 km/s\"], [0, 1]]", "scene.toml");
   auto root = document.root();
-  CHECK(root.points("x", 2, 3) == std::vector<std::vector<double>>{{1e-3, 0.0}, {1.0, 0.0}, {0.0, 1.0}});
+  CHECK(root.points("x", {dimension::length, dimension::speed}, 3) ==
+        std::vector<std::vector<double>>{{1e-3, 0.0}, {1.0, 2e3}, {0.0, 1.0}});
 }
 
 TEST_CASE("Section: whole numbers, switches and texts are not guessed from other types") {

@@ -85,6 +85,15 @@ TEST_CASE("Plan: a solid picture may be cut and turned, and what cannot be is re
   CHECK_THROWS_WITH(plan_with("from = [0, 0, 0]\n"), Catch::Contains("cannot be zero"));
 }
 
+TEST_CASE("Plan: points of an exact curve are in the units of what is drawn") {
+  const auto plan = plan_of(
+      "[picture.a]\ntype = 'history'\ncolumns = ['centre.pressure']\n"
+      "exact = [['0 us', '1 GPa'], [1e-6, 0]]\n");
+  CHECK(plan.pictures.front().exact.front() == std::vector<double>{0.0, 1e9});
+  refuses("[picture.a]\ntype = 'profile'\nfield = 'density'\nexact = [[0, '1 GPa'], [1, 0]]\n",
+          {"picture.a.exact", "this is a pressure", "density"});
+}
+
 TEST_CASE("References: entries hold for their variants, with what they allow") {
   const std::string text =
       "[[reference]]\nmeasure = \"crater_diameter\"\nvariant = \"a\"\npublished = \"2.1 cm\"\nwithin = \"1 mm\"\n"

@@ -98,6 +98,23 @@ TEST_CASE("Profiles: the error is the mean difference over the range of the exac
   CHECK(values.at("error_l1").uncertainty == Approx(0.05));
 }
 
+TEST_CASE("Profiles: an exact solution without a range, out of order or in another unit is refused") {
+  const auto read = [](const std::string& exact) {
+    auto document = Document::parse("[measure.error_l1]\nprofile = 'stress'\nexact = " + exact + "\n", "scene.toml");
+    auto root = document.root();
+    return read_measures(root, {Space::line, {"bar"}, {}});
+  };
+  const auto fault = [&](const std::string& exact) { return test::fault_of([&] { read(exact); }); };
+  CHECK(read("[['0 mm', '5 GPa'], ['4 mm', '0 GPa']]").size() == 1);
+  CHECK_THAT(fault("[[0, 5], [4e-3, 5]]"), Catch::Contains("scene.toml:3") &&
+                                               Catch::Contains("measure.error_l1.exact") &&
+                                               Catch::Contains("all values are the same"));
+  CHECK_THAT(fault("[[0, 5], [4e-3, 1], [3e-3, 0]]"),
+             Catch::Contains("x = 0.004 m does not rise to the next, 0.003 m"));
+  CHECK_THAT(fault("[[0, 5], [0, 1]]"), Catch::Contains("does not rise"));
+  CHECK_THAT(fault("[[0, '5 m'], [1, 0]]"), Catch::Contains("this is a length") && Catch::Contains("pressure"));
+}
+
 TEST_CASE("Profiles: a pulse has parted into two halves of half the speed") {
   // Width 4 mm about 20 mm, at rest in between; after 8 us at 1 km/s the halves are at 12 mm and 28 mm.
   const auto half_of = [](double x, double centre) {
