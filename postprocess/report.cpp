@@ -55,8 +55,9 @@ std::string reference_row(const Reference& reference, const Report& report, cons
   for (const auto& measurement : report.measurements)
     if (measurement.name == reference.measure) uncertainty = "± " + shown(measurement.measured.uncertainty, unit);
   const double difference = *value - reference.published;
-  const auto relative = reference.published == 0.0 ? shown(difference, unit)
-                                                   : fmt::format("{:+.1f} %", 100.0 * difference / reference.published);
+  const auto relative = reference.published == 0.0
+                            ? shown(difference, unit)
+                            : fmt::format("{:+.1f} %", 100.0 * difference / std::abs(reference.published));
   return fmt::format(fmt::runtime(row), reference.measure, shown(*value, unit), uncertainty, published, relative,
                      verdict(reference, difference), reference.source);
 }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "postprocess/pipeline.hpp"
+#include "postprocess/report.hpp"
 #include "support/fault.hpp"
 #include "support/temporary_folder.hpp"
 #include "unit/postprocess/synthetic.hpp"
@@ -73,6 +74,17 @@ TEST_CASE("Files: measurements.json holds summary, measurements and references w
   CHECK(file["references"][0]["within"] == true);
   CHECK(file["references"][1]["difference"].is_null());
   CHECK(file["references"][1]["within"] == false);
+}
+
+TEST_CASE("Files: the table and measurements.json tell the same difference from a negative published value") {
+  const TemporaryFolder folder;
+  const RunFolder run;
+  Report report;
+  report.measurements = {{"min_pressure", "Pa", {-0.8e9, 8e-6, 1e7, {}}}};
+  report.references = {{"min_pressure", "by hand", "Pa", -1e9, {}}};
+  write_measurements(report, run, folder.file("measurements.json"));
+  CHECK(json_of(folder.file("measurements.json"))["references"][0]["difference"].get<double>() == Approx(0.2));
+  CHECK_THAT(comparison_table(report, run), Catch::Contains("+20.0 %"));
 }
 
 TEST_CASE("Files: each snapshot becomes a VTU, the collection and the fragments are there") {
