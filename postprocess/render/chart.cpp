@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "core/error.hpp"
 #include "postprocess/render/line_chart.hpp"
 #include "postprocess/render/words.hpp"
@@ -12,13 +10,13 @@
 namespace tektite {
 namespace {
 
-/// "centre.velocity_x" belongs to the field velocity.
+/// "centre.velocity_x" belongs to the field velocity, "centre.deviatoric_stress_xy" to deviatoric_stress.
 std::string field_of_column(const std::string& column) {
-  auto field = column.substr(column.find('.') + 1);
-  const auto& known = scalar_field_names();
-  if (field.size() > 2 && field[field.size() - 2] == '_' && std::find(known.begin(), known.end(), field) == known.end())
-    field.resize(field.size() - 2);
-  return field;
+  const auto field = column.substr(column.find('.') + 1);
+  const auto suffix = field.rfind('_');
+  if (field_named(field) || suffix == std::string::npos || field.find_first_not_of("xyz", suffix + 1) != field.npos)
+    return field;
+  return field.substr(0, suffix);
 }
 
 std::string common_unit(const Picture& picture) {

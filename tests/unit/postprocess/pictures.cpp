@@ -127,6 +127,14 @@ TEST_CASE("Pictures: on a half model a velocity has its sign turned behind the s
         }) == 2);
 }
 
+TEST_CASE("Pictures: a column has the unit of its field, whichever component it is") {
+  CHECK(unit_of_column("centre.deviatoric_stress_xx") == "Pa");
+  CHECK(unit_of_column("centre.deviatoric_stress_xy") == "Pa");
+  CHECK(unit_of_column("centre.velocity_x") == "m/s");
+  CHECK(unit_of_column("centre.smoothing_length") == "m");
+  CHECK(unit_of_column("centre.damage") == "1");
+}
+
 TEST_CASE("Pictures: energy and momentum of a plane are those of a slice, of rings they are whole") {
   CHECK(slice_of("J", Space::plane_stress) == " (per metre of thickness)");
   CHECK(slice_of("kg m/s", Space::plane_strain) == " (per metre of thickness)");
