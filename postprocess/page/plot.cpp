@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <set>
 
 #include "postprocess/page/html.hpp"
 #include "postprocess/render/colours.hpp"
@@ -14,7 +16,7 @@ namespace {
 
 // In the units of the drawing, which the page scales to its width.
 constexpr double width = 640.0, left = 70.0, right = 10.0, top = 30.0, height = 240.0, line_height = 20.0;
-constexpr std::size_t most_points = 600;  // of a curve: about one a pixel
+constexpr std::size_t most_bins = 600;  // of a curve: about one a pixel
 
 struct Frame {
   double least, most, last;
@@ -27,15 +29,20 @@ std::string colour(std::size_t k) {
   return fmt::format("rgb({:.0f},{:.0f},{:.0f})", 255 * red, 255 * green, 255 * blue);
 }
 
-/// Every n-th point and the last one.
+/// Of every n points the least and the largest, in their order, and of all the first and the last: no peak is lost.
 std::string points_of(const Plot& plot, const Curve& curve, const Frame& frame) {
   const auto count = std::min(plot.times.size(), curve.values.size());
-  const auto stride = count / most_points + 1;
+  const auto stride = count / most_bins + 1;
+  std::set<std::size_t> drawn;
+  if (count > 0) drawn = {0, count - 1};
+  for (std::size_t first = 0; first < count; first += stride) {
+    const auto begin = curve.values.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto end = begin + static_cast<std::ptrdiff_t>(std::min(stride, count - first));
+    for (const auto extreme : {std::min_element(begin, end), std::max_element(begin, end)})
+      drawn.insert(static_cast<std::size_t>(extreme - curve.values.begin()));
+  }
   std::string points;
-  for (std::size_t k = 0; k < count; k += stride)
-    points += fmt::format("{:.1f},{:.1f} ", frame.x(plot.times[k]), frame.y(curve.values[k]));
-  if (count > 0)
-    points += fmt::format("{:.1f},{:.1f}", frame.x(plot.times[count - 1]), frame.y(curve.values[count - 1]));
+  for (const auto k : drawn) points += fmt::format("{:.1f},{:.1f} ", frame.x(plot.times[k]), frame.y(curve.values[k]));
   return points;
 }
 

@@ -11,6 +11,7 @@
 
 #include "postprocess/page/html.hpp"
 #include "postprocess/page/page.hpp"
+#include "postprocess/page/plot.hpp"
 #include "postprocess/pipeline.hpp"
 #include "support/fault.hpp"
 #include "support/program.hpp"
@@ -96,6 +97,17 @@ TEST_CASE("Page: a run with its cost, measures, history, picture and scene, well
   CHECK_THAT(page, Contains("[measure.peak_pressure]") && !Contains("#@ "));
   CHECK_THAT(page, Contains("prefers-color-scheme: dark") && Contains("@media print"));
   for (const auto* fetched : {"http", "href", "url(", "<script", "@import"}) CHECK_THAT(page, !Contains(fetched));
+}
+
+TEST_CASE("Page: a peak of a single step in a long history is drawn") {
+  Plot plot{"probes", "Pa", {}, {{"centre.pressure", std::vector<double>(10000, 0.0)}}, -5e8, 1e9, 9999.0};
+  for (int k = 0; k < 10000; ++k) plot.times.push_back(k);
+  plot.curves[0].values[5003] = 1e9;
+  plot.curves[0].values[5005] = -5e8;
+  const auto svg = svg_of(plot);
+  const auto curve = svg.substr(svg.find("points="));
+  CHECK_THAT(curve, Contains(",30.0 ") && Contains(",270.0 "));
+  CHECK(std::ranges::count(curve, ',') < 2 * 640);
 }
 
 TEST_CASE("Page: several runs stand side by side, each with its own values") {
