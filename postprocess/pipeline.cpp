@@ -59,6 +59,18 @@ void take_measures(const std::vector<NamedMeasure>& measures, const Event& event
     }
 }
 
+std::string shown_by(const Picture& picture) {
+  switch (picture.type) {
+    case PictureType::history:
+      return "history of " + join(picture.columns);
+    case PictureType::profile:
+      return fmt::format("profile of {} along {}", picture.field, picture.along);
+    case PictureType::particles:
+      break;
+  }
+  return picture.field + " of the particles";
+}
+
 }  // namespace
 
 void postprocess(const PostprocessOptions& options) {
@@ -94,10 +106,8 @@ void check_scene(const PostprocessOptions& options) {
   for (const auto& measure : plan.measures)
     std::cout << fmt::format("measure {} in {}\n", measure.name, si_unit(measure.kind->dimension));
   for (const auto& picture : plan.pictures)
-    std::cout << fmt::format("picture {}: {}, {} x {} pixels\n", picture.name,
-                             picture.type == PictureType::history ? "history of " + join(picture.columns)
-                                                                  : picture.field + " of the particles",
-                             picture.width, picture.height);
+    std::cout << fmt::format("picture {}: {}, {} x {} pixels\n", picture.name, shown_by(picture), picture.width,
+                             picture.height);
   if (plan.pictures.empty()) std::cout << "pictures: the usual ones\n";
 }
 

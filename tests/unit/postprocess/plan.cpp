@@ -4,7 +4,10 @@
 
 #include <catch2/catch.hpp>
 #include <fstream>
+#include <iostream>
+#include <sstream>
 
+#include "postprocess/pipeline.hpp"
 #include "postprocess/references.hpp"
 #include "support/fault.hpp"
 #include "support/temporary_folder.hpp"
@@ -83,6 +86,20 @@ TEST_CASE("Plan: a solid picture may be cut and turned, and what cannot be is re
   CHECK_THROWS_WITH(plan_with("cut = \"w\"\n"), Catch::Contains("automatic, none, x, y, z"));
   CHECK_THROWS_WITH(plan_with("cut_at = \"2 mm\"\n"), Catch::Contains("needs an axis"));
   CHECK_THROWS_WITH(plan_with("from = [0, 0, 0]\n"), Catch::Contains("cannot be zero"));
+}
+
+TEST_CASE("Plan: what a check tells of pictures names their type") {
+  const TemporaryFolder folder;
+  PostprocessOptions options;
+  options.scene = folder.file("scene.toml");
+  std::ofstream(options.scene) << "name = 'bar'\nspace = 'line'\n[body.bar]\n[picture.a]\ntype = 'profile'\n"
+                                  "field = 'density'\n[picture.b]\nfield = 'pressure'\n";
+  std::ostringstream told;
+  auto* const before = std::cout.rdbuf(told.rdbuf());
+  check_scene(options);
+  std::cout.rdbuf(before);
+  CHECK_THAT(told.str(), Catch::Contains("picture a: profile of density along x,") &&
+                             Catch::Contains("picture b: pressure of the particles,"));
 }
 
 TEST_CASE("Plan: points of an exact curve are in the units of what is drawn") {
