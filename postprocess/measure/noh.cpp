@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "core/error.hpp"
 #include "postprocess/measure/measure.hpp"
@@ -23,7 +26,7 @@ struct Noh {
 
   double shock() const { return 0.5 * (heat_ratio - 1.0) * speed * time; }
   NohState at(double r) const {
-    if (r >= shock()) return {density * std::pow(1.0 + speed * time / r, dimensions - 1), 0.0, -speed, 0.0};
+    if (r > shock()) return {density * std::pow(1.0 + speed * time / r, dimensions - 1), 0.0, -speed, 0.0};
     const double rho = density * std::pow((heat_ratio + 1.0) / (heat_ratio - 1.0), dimensions);
     const double e = 0.5 * speed * speed;
     return {rho, (heat_ratio - 1.0) * rho * e, 0.0, e};
@@ -96,17 +99,31 @@ void for_profile(const Event& event, const NohRun& run, Field field, const Work&
   for (auto i = body.range.begin; i < body.range.end; ++i) work(x[i], value[i]);
 }
 
-/// The mean of |ours - exact| over the particles between two radii.
-Measured error_l1(const Event& event, const NohRun& run, Profile what) {
-  const auto exact = exact_of(event, run);
+double spacing_of(const Event& event, const NohRun& run) {
+  return event.last.bodies[static_cast<std::size_t>(event.last.body_named(run.body))].spacing;
+}
+
+/// The mean of |ours - exact| over the particles between two radii, where ours is moved outwards by `shift`.
+double mean_difference(const Event& event, const NohRun& run, Profile what, const Noh& exact, double shift) {
   double sum = 0.0, count = 0.0;
   for_profile(event, run, field_of(what), [&](double r, double value) {
     if (r <= run.from || r >= run.to) return;
-    sum += std::abs(value - exact_value(exact.at(r), what));
+    sum += std::abs(value - exact_value(exact.at(std::max(r + shift, 0.0)), what));
     count += 1.0;
   });
   if (count == 0.0) throw RunError("no particle lies between the radii from and to");
-  return {sum / count, exact.time, 0.0, {}};
+  return sum / count;
+}
+
+/// What a particle carries is that of half a spacing to either side: the uncertainty is how far the mean difference
+/// moves with it.
+Measured error_l1(const Event& event, const NohRun& run, Profile what) {
+  const auto exact = exact_of(event, run);
+  const double half = 0.5 * spacing_of(event, run);
+  const double error = mean_difference(event, run, what, exact, 0.0);
+  const double outwards = mean_difference(event, run, what, exact, half);
+  const double inwards = mean_difference(event, run, what, exact, -half);
+  return {error, exact.time, std::max(std::abs(outwards - error), std::abs(inwards - error)), {}};
 }
 
 /// Where the velocity passes half of that ahead of the shock, from outside; linear between particles.
@@ -120,20 +137,27 @@ Measured shock_position(const Event& event, const NohRun& run) {
     const auto [outer, fast] = profile[k];
     const auto [inner, slow] = profile[k - 1];
     if (slow < half) continue;
-    const auto& body = event.last.bodies[static_cast<std::size_t>(event.last.body_named(run.body))];
-    return {inner + (outer - inner) * (half - slow) / (fast - slow), exact.time, body.spacing, {}};
+    return {inner + (outer - inner) * (half - slow) / (fast - slow), exact.time, spacing_of(event, run), {}};
   }
   throw RunError("no shock runs through the gas");
 }
 
-/// Largest energy within `from` of the axis over the exact one: 1 where the axis is not heated.
+/// Largest energy within `from` of the axis over the exact one: 1 where the axis is not heated. Half a spacing on, it
+/// is half as far from that of the particle beside it: the larger of these differences is the uncertainty.
 Measured wall_heating(const Event& event, const NohRun& run) {
   const auto exact = exact_of(event, run);
-  double most = 0.0;
-  for_profile(event, run, Field::specific_internal_energy, [&](double r, double e) {
-    if (r < run.from) most = std::max(most, e);
-  });
-  return {most / exact.at(0.0).energy, exact.time, 0.0, {}};
+  std::vector<std::pair<double, double>> profile;
+  for_profile(event, run, Field::specific_internal_energy, [&](double r, double e) { profile.push_back({r, e}); });
+  std::ranges::sort(profile);
+  std::optional<std::size_t> hottest;
+  for (std::size_t k = 0; k < profile.size() && profile[k].first < run.from; ++k)
+    if (!hottest || profile[k].second > profile[*hottest].second) hottest = k;
+  if (!hottest) throw RunError("no particle lies within the radius from");
+  const double most = profile[*hottest].second, whole = exact.at(0.0).energy;
+  double beside = 0.0;
+  if (*hottest > 0) beside = std::abs(most - profile[*hottest - 1].second);
+  if (*hottest + 1 < profile.size()) beside = std::max(beside, std::abs(most - profile[*hottest + 1].second));
+  return {most / whole, exact.time, 0.5 * beside / whole, {}};
 }
 
 Measure read_error(Section& section, const Declared& declared, Profile what) {

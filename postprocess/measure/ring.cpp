@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
+#include <vector>
 
 #include "core/error.hpp"
 #include "postprocess/measure/moment.hpp"
@@ -17,6 +19,13 @@ enum class Face { inner, outer };
 struct Radii {
   double initial = 0.0;  ///< their mean at the start
   double least = limits::infinite, largest = 0.0, mean = 0.0;
+  double step = 0.0;  ///< the largest change from one particle to the next around the centre
+};
+
+/// Where a particle of a face is.
+struct Polar {
+  double angle, radius;
+  auto operator<=>(const Polar&) const = default;
 };
 
 Radii radii_of(const Event& event, const Whole& now, std::int32_t body, const Point& centre, Face face) {
@@ -27,7 +36,7 @@ Radii radii_of(const Event& event, const Whole& now, std::int32_t body, const Po
     if (event.initial.body[i] == body) first = std::min(first, sign * norm(event.initial.position[i] - centre));
   const auto place = places_in(event.initial, now);
   Radii radii;
-  double count = 0.0;
+  std::vector<Polar> face_points;
   for (std::size_t i = 0; i < now.count(); ++i) {
     if (now.body[i] != body) continue;
     const double start = norm(event.initial.position[place[i]] - centre);
@@ -37,10 +46,15 @@ Radii radii_of(const Event& event, const Whole& now, std::int32_t body, const Po
     radii.mean += r;
     radii.least = std::min(radii.least, r);
     radii.largest = std::max(radii.largest, r);
-    ++count;
+    const auto from_centre = now.position[i] - centre;
+    face_points.push_back({std::atan2(from_centre[1], from_centre[0]), r});
   }
-  radii.initial /= count;
-  radii.mean /= count;
+  const auto count = face_points.size();
+  radii.initial /= static_cast<double>(count);
+  radii.mean /= static_cast<double>(count);
+  std::ranges::sort(face_points);
+  for (std::size_t k = 0; k < count; ++k)
+    radii.step = std::max(radii.step, std::abs(face_points[k].radius - face_points[(k + 1) % count].radius));
   return radii;
 }
 
@@ -89,13 +103,14 @@ Measure read_outer_radius(Section& section, const Declared& declared) {
 }
 
 /// Spread of the radii of the innermost particles, largest less least over their mean: zero in a ring that stays round.
-/// Keys as above.
+/// The surface is seen a spacing apart: each of the two is uncertain by half of the largest change from one particle to
+/// the next. Keys as above.
 Measure read_symmetry_error(Section& section, const Declared& declared) {
   const auto chosen = read_chosen(section, declared);
   return [=](const Event& event) {
     return measured_at(event, chosen.time, [&](const Snapshot&, const Whole& whole) {
       const auto radii = radii_of(event, whole, whole.body_named(chosen.body), chosen.centre, Face::inner);
-      return Measured{(radii.largest - radii.least) / radii.mean, whole.time, 0.0, {}};
+      return Measured{(radii.largest - radii.least) / radii.mean, whole.time, radii.step / radii.mean, {}};
     });
   };
 }

@@ -73,6 +73,8 @@ TEST_CASE("Rings: the symmetry error is the spread of the innermost particles' r
   const std::string scene = "[measure.symmetry_error]\nbody = 'ring'\n";
   const auto values = measured(scene, {Space::plane_strain, {"ring"}, {}}, event);
   CHECK(values.at("symmetry_error").value == Approx(0.02 / 1.01).epsilon(0.01));  // the mean radius of the ellipse
+  // r = b (1 + 0.02 cos²θ) to the first order: it changes by 0.02 b sin 2θ Δθ from one of the 60 particles to the next.
+  CHECK(values.at("symmetry_error").uncertainty == Approx(0.02 / 1.01 * 2.0 * std::numbers::pi / 60).epsilon(0.05));
 }
 
 TEST_CASE("Rings: a line has none, and a section through an axis neither") {
@@ -113,6 +115,34 @@ TEST_CASE("Profiles: an exact solution without a range, out of order or in anoth
              Catch::Contains("x = 0.004 m does not rise to the next, 0.003 m"));
   CHECK_THAT(fault("[[0, 5], [0, 1]]"), Catch::Contains("does not rise"));
   CHECK_THAT(fault("[[0, '5 m'], [1, 0]]"), Catch::Contains("this is a length") && Catch::Contains("pressure"));
+}
+
+TEST_CASE("Profiles: measures of Noh's problem are uncertain by what half a spacing changes") {
+  // After 90.6 us the shock is at 30.2 mm; the two particles at the wall are hotter than they should be.
+  std::vector<test::Placed> start, placed;
+  for (int k = 0; k < 100; ++k) {
+    const double x = (k + 0.5) * test::spacing;
+    start.push_back({"gas", {x, 0.0, 0.0}, {-1000.0, 0.0, 0.0}});
+    placed.push_back({"gas", {x, 0.0, 0.0}, {k < 30 ? 0.0 : -1000.0, 0.0, 0.0}});
+  }
+  const test::TemporaryFolder folder;
+  Event event;
+  const auto first = test::snapshot_of(Space::line, start, 0.0, "", test::as_it_is);
+  event.snapshots = {folder.file("0.h5")};
+  write_snapshot(first, event.snapshots.front());
+  event.initial = make_whole(first, {});
+  event.last_snapshot = test::snapshot_of(Space::line, placed, 90.6e-6, "", test::as_it_is);
+  event.last_snapshot.particles.allocate(Field::specific_internal_energy);
+  const auto energy = event.last_snapshot.particles.reals(Field::specific_internal_energy);
+  for (std::size_t k = 0; k < 30; ++k) energy[k] = k == 0 ? 0.6e6 : k == 1 ? 0.55e6 : 0.5e6;
+  event.last = make_whole(event.last_snapshot, {});
+  const std::string keys = "body = 'gas'\nfrom = '10 mm'\nto = '60 mm'\n";
+  const auto values = measured("[measure.wall_heating]\n" + keys + "[measure.error_l1_energy]\n" + keys,
+                               {Space::line, {"gas"}, {}}, event);
+  CHECK(values.at("wall_heating").value == Approx(1.2));
+  CHECK(values.at("wall_heating").uncertainty == Approx(0.05));
+  CHECK(values.at("error_l1_energy").value == Approx(0.0).margin(1e-6));
+  CHECK(values.at("error_l1_energy").uncertainty == Approx(0.5e6 / 50));  // one of 50 particles, ahead of the shock
 }
 
 TEST_CASE("Profiles: a pulse has parted into two halves of half the speed") {
