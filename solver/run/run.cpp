@@ -20,6 +20,7 @@
 #include "output/progress.hpp"
 #include "output/summary.hpp"
 #include "parallel/threads.hpp"
+#include "run/contact_at_start.hpp"
 #include "run/floating_point_traps.hpp"
 #include "run/simulation.hpp"
 #include "run/watch.hpp"
@@ -86,6 +87,7 @@ class Run {
     if (!resumed_) {
       write_history();
       write_snapshot();
+      if (const auto warning = contact_at_start(simulation_)) tell(watch_.note({*warning}));
     } else {
       last_snapshot_ = origin.file;
       ledger_ = simulation_.ledger();  // what progress shows before the next line
@@ -166,10 +168,10 @@ class Run {
     log_->info("  t = {:<9} step {:<7} {}", shown_time(simulation_.time()), simulation_.steps(), last_snapshot_);
   }
 
-  void look() {
-    for (const auto& warning :
-         watch_.look(simulation_.particles(), simulation_.settings(), simulation_.scheme().warnings()))
-      log_->warn("warning: {}: {}", warning.name, warning.text);
+  void look() { tell(watch_.look(simulation_.particles(), simulation_.settings(), simulation_.scheme().warnings())); }
+
+  void tell(const std::vector<Warning>& warnings) const {
+    for (const auto& warning : warnings) log_->warn("warning: {}: {}", warning.name, warning.text);
   }
 
   void write_history() {
@@ -274,6 +276,7 @@ void check(const CheckOptions& options) {
   std::optional<InputError> failure;
   try {
     print_scene(simulation);
+    if (const auto warning = contact_at_start(simulation)) fmt::print("advice: {}\n", warning->text);
     print(forecast_of(simulation, met, options.advice ? calibration_seconds : 0.0), simulation);
   } catch (const RunError& fault) {
     failure = InputError({{options.particles, 0}, {}, {}, fmt::format("the first steps fail: {}", fault.what()), {}});

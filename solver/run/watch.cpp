@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "run/energy_debt.hpp"
 #include "run/hourglass_share.hpp"
 #include "run/misfit.hpp"
 #include "run/too_near.hpp"
@@ -77,6 +78,15 @@ void Watch::look_at(const Particles& particles, const Body& body, const RunSetti
                        "inside, where that is even: heat of a shock that was born there; a finer spacing only narrows "
                        "it, the scheme msph smooths it",
                        body.name, heat));
+  if (const double debt = energy_debt(particles, body); debt > notable_debt)
+    tell(
+        found, "energy-debt", body.name,
+        fmt::format("the internal energy of {} is below zero, by {:.2g} of its kinetic energy in its own frame: motion "
+                    "has grown there that nothing drives, though the total is kept; {} may mend it",
+                    body.name, debt,
+                    settings.scheme.type == "godunov-split"
+                        ? "scheme.limiter = { model = \"sweby\", beta = 1 }, which does not steepen waves,"
+                        : "another scheme"));
   if (const double ratio = poisson_ratio(material); ratio > locking_ratio && ratio < 0.5)
     tell(found, "locking", body.name,
          fmt::format("Poisson's ratio of {} is {:.4f}: where it bends it is too stiff, by some per cent in "
@@ -84,10 +94,15 @@ void Watch::look_at(const Particles& particles, const Body& body, const RunSetti
                      body.name, ratio));
 }
 
+std::vector<Warning> Watch::note(const std::vector<Warning>& warnings) {
+  std::vector<Warning> found;
+  for (const auto& warning : warnings) tell(found, warning.name, {}, warning.text);
+  return found;
+}
+
 std::vector<Warning> Watch::look(const Particles& particles, const RunSettings& settings,
                                  const std::vector<Warning>& of_scheme) {
-  std::vector<Warning> found;
-  for (const auto& warning : of_scheme) tell(found, warning.name, {}, warning.text);
+  auto found = note(of_scheme);
   for (const auto& body : particles.bodies()) look_at(particles, body, settings, found);
   return found;
 }

@@ -29,6 +29,10 @@ inline constexpr double notable_heat = 1.2;
 /// Of Poisson's ratio: bending is too stiff by 3 % and more from here on (docs/stability.md).
 inline constexpr double locking_ratio = 0.489;
 
+/// Of a body's kinetic energy in its own frame, how much its internal energy lies below zero: none of it is there where
+/// a scheme is right to its order.
+inline constexpr double notable_debt = 0.05;
+
 class Watch {
  public:
   /// What is found now, or known by the scheme, and has not been told yet. Names of what is found:
@@ -38,9 +42,13 @@ class Watch {
   ///   density-misfit    densities of Eulerian particles have run away from the places of these
   ///   lost-neighbours   a gas has expanded until its particles are out of each other's support
   ///   wall-heating      a gas is hotter at a wall than shocks make it
+  ///   energy-debt       a body's internal energy is below zero: its motion has grown out of nothing
   ///   locking           a body is nearly incompressible: it bends too stiffly
   std::vector<Warning> look(const Particles& particles, const RunSettings& settings,
                             const std::vector<Warning>& of_scheme);
+
+  /// Those of these that have not been told yet.
+  std::vector<Warning> note(const std::vector<Warning>& warnings);
 
   /// Names of all that has been told.
   const std::set<std::string>& names() const { return names_; }

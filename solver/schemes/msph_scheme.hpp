@@ -286,6 +286,8 @@ class MsphScheme final : public Scheme {
       run_through(run.range, middle);
       materials_.evaluate_eos(run, Field::half_density, Field::half_energy, Field::half_pressure,
                               Field::half_sound_speed);
+      materials_.release(run, Field::deviatoric_stress,
+                         Field::half_pressure);  // or tension that is not borne does work
       run_through(run.range,
                   MsphAdvance<D, hoops>{middle, p.scalars(Field::half_pressure), anvil_,
                                         p.template vectors<D>(Field::position), p.template vectors<D>(Field::velocity),
