@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -9,8 +10,12 @@
 
 namespace tektite {
 
-/// Follows material points: each probe stays with the particle that was nearest to its place at the start. Or the
-/// extremes of a body, wherever they are.
+/// Particles tie for nearest to a probe's place where their distances differ by less than this part of the spacing: far
+/// more than rounding makes of a scene that is mirrored, rotated or shifted, far less than what sets particles apart.
+inline constexpr double tie_tolerance = 1e-6;
+
+/// Follows material points: each probe shows the mean over the particles that were nearest to its place at the start,
+/// mostly one. Or the extremes of a body, wherever they are.
 class Probes {
  public:
   /// At the start of a run; throws InputError where a probe names no body of the file.
@@ -22,14 +27,21 @@ class Probes {
   /// Column names, such as centre.pressure or centre.velocity_x.
   std::vector<std::string> columns(const Particles& particles) const;
   std::vector<double> values(const Particles& particles);
+  /// A line for each probe that tells which particles it follows, and how far from its place they are in `particles`.
+  std::vector<std::string> in_words(const Particles& particles);
 
  private:
-  struct Followed {
-    Probe probe;
+  struct Follower {
     std::int64_t id = 0;
     std::size_t index = 0;  ///< where the particle was last; checked at each use, because particles are sorted
   };
+  struct Followed {
+    Probe probe;
+    std::vector<Follower> particles;  ///< in the order of their ids; none of an extreme
+  };
   static void find(Followed& followed, const Particles& particles);
+  static void append_means(const Followed& followed, Field field, const Particles& particles,
+                           std::vector<double>& values);
   static void append_extremes(const Probe& probe, Field field, const Particles& particles, std::vector<double>& values);
   std::vector<Followed> followed_;
 };

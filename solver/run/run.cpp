@@ -85,6 +85,7 @@ class Run {
       log_->info("  {}: {} particles of {}, spacing {:g} m", body.name, body.range.size(), body.material, body.spacing);
     if (const auto remark = simulation_.scheme().remark(); !remark.empty()) log_->info("  {}", remark);
     if (!resumed_) {
+      for (const auto& line : probes_.in_words(particles)) log_->info("  {}", line);
       write_history();
       write_snapshot();
       if (const auto warning = contact_at_start(simulation_)) tell(watch_.note({*warning}));
@@ -277,6 +278,9 @@ void check(const CheckOptions& options) {
   try {
     print_scene(simulation);
     if (const auto warning = contact_at_start(simulation)) fmt::print("advice: {}\n", warning->text);
+    for (const auto& line :
+         Probes(simulation.settings().probes, simulation.particles()).in_words(simulation.particles()))
+      fmt::print("{}\n", line);
     print(forecast_of(simulation, met, options.advice ? calibration_seconds : 0.0), simulation);
   } catch (const RunError& fault) {
     failure = InputError({{options.particles, 0}, {}, {}, fmt::format("the first steps fail: {}", fault.what()), {}});

@@ -18,7 +18,7 @@ struct Probe {
   std::string name;
   std::string body;
   Shown shown = Shown::particle;
-  std::vector<double> position;  ///< m, in the initial state; the nearest particle of the body is followed
+  std::vector<double> position;  ///< m, in the initial state; the nearest particles of the body are followed
   std::vector<Field> fields;     ///< an extreme shows each component's own
 };
 
