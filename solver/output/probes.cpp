@@ -88,10 +88,6 @@ void Probes::append_extremes(const Probe& probe, Field field, const Particles& p
   const auto range = std::ranges::find(particles.bodies(), probe.body, &Body::name)->range;
   const auto width = static_cast<std::size_t>(particles.components(field));
   for (std::size_t k = 0; k < width; ++k) {
-    if (!particles.has(field)) {
-      values.push_back(0.0);
-      continue;
-    }
     const auto all = particles.reals(field);
     double extreme = all[range.begin * width + k];
     for (std::size_t i = range.begin; i < range.end; ++i)
@@ -106,8 +102,7 @@ void Probes::append_means(const Followed& followed, Field field, const Particles
   const auto width = static_cast<std::size_t>(particles.components(field));
   for (std::size_t k = 0; k < width; ++k) {
     double sum = 0.0;
-    if (particles.has(field))
-      for (const auto& particle : followed.particles) sum += particles.reals(field)[particle.index * width + k];
+    for (const auto& particle : followed.particles) sum += particles.reals(field)[particle.index * width + k];
     values.push_back(sum / static_cast<double>(followed.particles.size()));
   }
 }

@@ -69,10 +69,11 @@ Origin find_origin(const RunOptions& options) {
 /// The run with everything that it writes.
 class Run {
  public:
-  Run(const fs::path& folder, const Origin& origin, Snapshot snapshot, RunSettings settings)
+  Run(const fs::path& folder, const Origin& origin, const RunTimer& timer, Simulation& simulation)
       : folder_(folder),
         resumed_(origin.snapshot),
-        simulation_(std::move(snapshot), std::move(settings), origin.snapshot),
+        timer_(timer),
+        simulation_(simulation),
         log_(open_log(folder_ / "run.log", origin.snapshot)),
         probes_(make_probes()),
         columns_(number_columns(simulation_.particles().dimensions(), probes_.columns(simulation_.particles()))),
@@ -208,7 +209,7 @@ class Run {
   fs::path folder_;
   bool resumed_;
   RunTimer timer_;
-  Simulation simulation_;
+  Simulation& simulation_;
   std::shared_ptr<spdlog::logger> log_;
   Probes probes_;
   std::vector<std::string> columns_;  ///< of a line's numbers
@@ -256,7 +257,10 @@ bool run(const RunOptions& options) {
     for (const auto& earlier : snapshot_files(options.folder)) fs::remove(earlier);
   watch_signals();
   if (options.trap_floating_point) trap_floating_point();
-  Run run(options.folder, origin, std::move(snapshot), std::move(settings));
+  const RunTimer timer;
+  Simulation simulation(std::move(snapshot), std::move(settings), origin.snapshot);
+  check_probed_fields(document, simulation.settings(), simulation.particles());
+  Run run(options.folder, origin, timer, simulation);
   try {
     return run.to_the_end();
   } catch (const RunError& fault) {
@@ -274,6 +278,7 @@ void check(const CheckOptions& options) {
   Advice advice;
   if (options.advice) advice = advise(snapshot.particles, settings, met, document);
   Simulation simulation(std::move(snapshot), std::move(settings), false);
+  check_probed_fields(document, simulation.settings(), simulation.particles());
   std::optional<InputError> failure;
   try {
     print_scene(simulation);

@@ -55,6 +55,13 @@ void check_kernels(Section body, const std::string& scheme) {
                          "no such key, or the scheme adaptle");
 }
 
+/// Whether the particles of this material have values of the field: a temperature is that of a strength that heats,
+/// while the damage or the plastic strain of what neither fails nor yields is rightly zero beside a body that does.
+bool has_values(const Particles& particles, const Material& material, Field field) {
+  const bool heats = std::visit([](const auto& model) { return model.kind.heats; }, material.strength);
+  return particles.has(field) && (heats || field != Field::temperature);
+}
+
 }  // namespace
 
 RunSettings read_run_settings(Document& document) {
@@ -127,6 +134,25 @@ void check_probes(Document& document, const RunSettings& settings, const Particl
             .fault("position", fmt::format("lies outside the body {}", body.name),
                    fmt::format("within a spacing, {:g} m, of one of its particles", body.spacing));
     }
+}
+
+void check_probed_fields(Document& document, const RunSettings& settings, const Particles& particles) {
+  for (const auto& probe : settings.probes) {
+    const auto& body = *std::ranges::find(particles.bodies(), probe.body, &Body::name);
+    const auto& material = settings.materials.at(body.material);
+    std::vector<std::string> known;
+    for (const auto& name : field_names())
+      if (has_values(particles, material, *field_named(name))) known.push_back(name);
+    for (const auto field : probe.fields)
+      if (!has_values(particles, material, field))
+        throw document.root()
+            .section("probe")
+            .section(probe.name)
+            .fault("fields",
+                   fmt::format("{} of {} has no {} by the scheme {} with the models of this scene", body.name,
+                               body.material, info(field).name, settings.scheme.type),
+                   join(known));
+  }
 }
 
 }  // namespace tektite

@@ -43,4 +43,7 @@ void check_bodies(const RunSettings& settings, const Particles& particles, const
 /// Whether every probe lies in its body at the start: within a spacing of a particle. Throws InputError.
 void check_probes(Document& document, const RunSettings& settings, const Particles& particles);
 
+/// Whether the run has what its probes show: `particles` as its scheme has allocated them. Throws InputError.
+void check_probed_fields(Document& document, const RunSettings& settings, const Particles& particles);
+
 }  // namespace tektite
