@@ -123,7 +123,8 @@ FilledBody fill_body(BodyPlan plan, std::span<const SymmetryPlane> planes, doubl
   keep_side(filling.positions, planes, edge_tolerance * spacing);
   if (filling.positions.empty())
     throw plan.section.fault("shape", fmt::format("no particle falls inside at a spacing of {:g} m", spacing));
-  return {std::move(plan), std::move(filling.positions), spacing, filling.cell, kept};
+  auto warnings = misaligned(filling.positions, plan.shape->bounds(), spacing, planes);
+  return {std::move(plan), std::move(filling.positions), spacing, filling.cell, kept, std::move(warnings)};
 }
 
 }  // namespace tektite::preprocess

@@ -34,6 +34,7 @@ struct FilledBody {
   double spacing = 0.0;          ///< m
   double cell = 0.0;             ///< m, m² or m³ for each particle
   double exact_measure = 0.0;    ///< m, m² or m³ of the part of the shape on the kept side
+  std::vector<std::string> warnings;
 };
 
 /// Densities by material name, in kg/m³, from [material.NAME].

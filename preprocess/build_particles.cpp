@@ -89,6 +89,7 @@ BodyReport describe(const FilledBody& body, const Scene& scene, Range range, con
   if (hoops_of(scene.space) == 0) report.exact_mass = mean_density * body.exact_measure;
   report.mass_spread = body.plan.arrangement.mass == MassRule::exact;
   report.remarks = body.plan.shape->remarks();
+  report.warnings = body.warnings;
   return report;
 }
 

@@ -20,6 +20,7 @@ struct BodyReport {
   double exact_mass = 0.0;  ///< of the shape, likewise; the share of a region of other density is that of its particles
   bool mass_spread = false;
   std::vector<std::string> remarks;
+  std::vector<std::string> warnings;
   std::vector<RegionReport> regions;
 };
 

@@ -39,6 +39,7 @@ std::string in_words(const Result& result) {
     for (const auto& region : body.regions)
       text += fmt::format("  region {}: {} particles, {}\n", region.name, region.count, region.words);
     for (const auto& remark : body.remarks) text += fmt::format("  repaired: {}\n", remark);
+    for (const auto& warning : body.warnings) text += fmt::format("  warning: {}\n", warning);
   }
   return text + fmt::format("{} particles in all, {}\n", particles.count(), name_of(particles.space()));
 }

@@ -1,10 +1,20 @@
 #include "preprocess/symmetry.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "preprocess/arrangement/arrangement.hpp"
 
 namespace tektite::preprocess {
 namespace {
+
+/// Of the nearest particles off a plane, in spacings: half of one fits their images, and a fifth of it more or less is
+/// what hexagonal and stretched lattices need.
+constexpr double least_distance = 0.4;
+constexpr double most_distance = 0.6;
 
 bool on_plane(const Point& position, const SymmetryPlane& plane) { return position[plane.axis] == plane.at; }
 
@@ -36,6 +46,34 @@ void keep_side(std::vector<Point>& positions, std::span<const SymmetryPlane> pla
     for (auto& p : positions)
       if (std::abs(p[plane.axis] - plane.at) <= tolerance) p[plane.axis] = plane.at;
   }
+}
+
+std::vector<std::string> misaligned(const std::vector<Point>& positions, const Box& box, double spacing,
+                                    std::span<const SymmetryPlane> planes) {
+  std::vector<std::string> warnings;
+  for (const auto& plane : planes) {
+    const double tolerance = edge_tolerance * spacing;
+    if (plane.at < box.lower[plane.axis] - tolerance || plane.at > box.upper[plane.axis] + tolerance) continue;
+    bool some_on_plane = false;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const auto& p : positions)
+      if (on_plane(p, plane))
+        some_on_plane = true;
+      else
+        nearest = std::min(nearest, std::abs(p[plane.axis] - plane.at));
+    const bool too_near = nearest < least_distance * spacing;
+    const bool too_far = !some_on_plane && nearest > most_distance * spacing;
+    if (too_near || too_far)
+      warnings.push_back(fmt::format(
+          "the particles nearest to the symmetry plane {} = {:g} m lie {:g} m from it, {:.2g} spacings, which {}; half "
+          "a "
+          "spacing, or particles on the plane, would fit their images. What helps: a spacing that divides the distance "
+          "from the shape's edge to the plane, or the arrangement lattice with the convention half-off-origin or "
+          "on-origin and its origin on the plane",
+          "xyz"[plane.axis], plane.at, nearest, nearest / spacing,
+          too_near ? "is too near to their own images" : "leaves a gap before their images"));
+  }
+  return warnings;
 }
 
 double mass_share(const Point& position, std::span<const SymmetryPlane> planes) {

@@ -48,6 +48,39 @@ TEST_CASE("Particles: the mass is that of the cells, or the exact one on request
   CHECK_THAT(preprocess::in_words(exact), Catch::Contains("spread over the particles"));
 }
 
+TEST_CASE("Symmetry: a lattice that does not fit a plane is warned of, with place, distance and what helps") {
+  const auto warnings_of = [](const std::string& radius, const std::string& convention) {
+    return result_of("plane-strain", "[body.a]\nmaterial = 'unit'\nshape = { type = 'disc', radius = " + radius +
+                                         " }\narrangement = { type = 'lattice', convention = '" + convention +
+                                         "' }\n[symmetry.p]\naxis = 'y'\n");
+  };
+  using Catch::Contains;
+  const auto near = warnings_of("0.54", "cell-centred");
+  REQUIRE(near.bodies[0].warnings.size() == 1);
+  CHECK_THAT(preprocess::in_words(near), Contains("body a ") && Contains("warning: ") &&
+                                             Contains("plane y = 0 m lie 0.01 m from it, 0.1 spacings") &&
+                                             Contains("too near to their own images") &&
+                                             Contains("a spacing that divides") && Contains("origin"));
+  CHECK(warnings_of("0.5", "cell-centred").bodies[0].warnings.empty());
+  CHECK(warnings_of("0.55", "cell-centred").bodies[0].warnings.empty());  // a row on the plane
+  for (const auto* convention : {"on-origin", "half-off-origin", "edges-included"})
+    CHECK(warnings_of("0.54", convention).bodies[0].warnings.empty());
+}
+
+TEST_CASE("Symmetry: a gap before the images is warned of, and a body that lies off the plane is not") {
+  const auto warnings_of = [](double lower) {
+    return result_of("line",
+                     "[body.a]\nmaterial = 'unit'\nshape = { type = 'segment', lower = " + std::to_string(lower) +
+                         ", upper = 1 }\narrangement = { type = 'lattice', convention = 'on-origin', "
+                         "origin = [0.07] }\n[symmetry.p]\naxis = 'x'\n")
+        .bodies[0]
+        .warnings;
+  };
+  REQUIRE(warnings_of(0.0).size() == 1);
+  CHECK_THAT(warnings_of(0.0).front(), Catch::Contains("0.7 spacings, which leaves a gap before their images"));
+  CHECK(warnings_of(0.03).empty());
+}
+
 TEST_CASE("Symmetry: particles on a plane stay with half their mass a plane, and cannot leave it") {
   const std::string body =
       "[body.a]\nmaterial = 'unit'\nvelocity = [1, 2, 3]\n"
