@@ -8,6 +8,7 @@
 #include <optional>
 #include <sstream>
 
+#include "core/overlays.hpp"
 #include "core/plain_name.hpp"
 #include "core/unreadable.hpp"
 
@@ -124,7 +125,9 @@ Document Document::load(const std::string& path, const std::string& variant, con
                                     plain_characters);
       if (!value.is_table()) throw document.root().fault("variant." + std::string(name.str()), "must be a table");
       document.variants_.emplace_back(name.str());
-      if (name.str() == variant) chosen = *value.as_table();
+      if (name.str() != variant) continue;
+      chosen = *value.as_table();
+      document.remember(value, overlay_path(0), path);
     }
     document.table_->erase("variant");
   }
@@ -134,7 +137,7 @@ Document Document::load(const std::string& path, const std::string& variant, con
                       '"' + variant + '"',
                       "no such variant",
                       document.variants_.empty() ? "this scene has none" : join(document.variants_)});
-  if (chosen) document.lay_over(*document.table_, *chosen, "", "variant." + variant);
+  if (chosen) document.lay_over(*document.table_, *chosen, "", overlay_path(0));
   document.variant_ = variant;
   for (const auto& setting : settings) document.set(setting);
   return document;
@@ -202,10 +205,11 @@ void Document::set(const std::string& setting) {
   auto over = parse_setting(key + " = " + value);
   if (!over) over = parse_setting(key + " = \"" + value + '"');
   if (!over) throw InputError(fault);
+  const auto path = overlay_path(overlay_count(places_));
   Document part;
-  part.remember(*over, "set", fault.place.file);
+  part.remember(*over, path, fault.place.file);
   for (auto& [name, place] : part.places_) places_[name] = {place.file, 0};
-  lay_over(*table_, *over, "", "set");
+  lay_over(*table_, *over, "", path);
 }
 
 std::string join(std::span<const std::string> words) { return fmt::format("{}", fmt::join(words, ", ")); }

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "core/document.hpp"
+#include "core/overlays.hpp"
 
 namespace tektite {
 namespace {
@@ -270,9 +271,11 @@ std::vector<std::pair<std::string, Section>> Section::named_sections(const std::
       throw InputError({place(path), path, shown(value), "must be a table", fmt::format("[{}.NAME]", full(key))});
     sections.emplace_back(std::string(name.str()), Section(document_, value.as_table(), path));
   }
-  std::stable_sort(sections.begin(), sections.end(), [&](const auto& a, const auto& b) {
-    return place(a.second.path()).line < place(b.second.path()).line;
-  });
+  const auto rank = [&](const Section& section) {
+    const auto& path = section.path();
+    return std::pair(overlay_of(path, document_->places_), place(path).line);
+  };
+  std::ranges::stable_sort(sections, {}, [&](const auto& named) { return rank(named.second); });
   return sections;
 }
 

@@ -114,6 +114,31 @@ TEST_CASE("Document: a fault names file and line of the key, wherever it was lai
   CHECK_THAT(fault("fine", {"time.cfl=0.2"}), Contains("--set time.cfl=0.2: time.cfl = 0.2: out of range"));
 }
 
+TEST_CASE("Document: tables come in the order in which they were laid over, here and in the next stage") {
+  const Fixture file(R"([variant.wide.region.late]
+x = 1
+[variant.wide.region]
+plain.x = 1
+second.x = 5
+[region.plain]
+x = 0
+[region.second]
+x = 0
+)");
+  const auto order = [](Document document) {
+    auto root = document.root();
+    std::vector<std::string> names;
+    for (const auto& [name, section] : root.named_sections("region")) names.push_back(name);
+    return names;
+  };
+  using Names = std::vector<std::string>;
+  CHECK(order(file.load()) == Names{"plain", "second"});
+  CHECK(order(file.load("wide")) == Names{"plain", "second", "late"});
+  auto document = file.load("wide", {"region.plain.y=3", "region.b={x=2}", "region.a={x=3}", "region.late.x=4"});
+  CHECK(order(document) == Names{"plain", "second", "late", "b", "a"});
+  CHECK(order(Document::parse(document.text(), "particles.h5")) == Names{"plain", "second", "late", "b", "a"});
+}
+
 TEST_CASE("Document: text that is no TOML is told with its line") {
   const Fixture file("name = \"x\"\nspace = \n");
   CHECK_THAT(fault_of([&] { file.load(); }), Contains(file.path + ":2: not TOML"));
