@@ -198,7 +198,7 @@ void Document::lay_over(toml::table& base, const toml::table& over, const std::s
 
 void Document::set(const std::string& setting) {
   const auto equals = setting.find('=');
-  const InputFault fault{{"--set " + setting, 0}, {}, {}, "not a setting", "KEY=VALUE, such as time.cfl=0.2"};
+  const InputFault fault{{"--set " + setting, 0}, {}, {}, "not a setting", "KEY=VALUE, such as scheme.courant=0.2"};
   if (equals == std::string::npos || equals == 0 || setting.find('\n') != std::string::npos) throw InputError(fault);
   const auto key = setting.substr(0, equals);
   const auto value = setting.substr(equals + 1);
