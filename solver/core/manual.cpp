@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <sstream>
+#include <string_view>
 
 #include "core/version.hpp"
 
@@ -35,6 +36,18 @@ std::string term(const po::option_description& option) {
   return term;
 }
 
+/// Up to the first mark that ends a sentence or a part of one; a dot within a word, as in particles.h5, does not.
+std::string first_part(const std::string& text) {
+  std::size_t end = 0;
+  const auto ends = [&] {
+    if (text[end] == '\n') return true;
+    const bool word_ends = end + 1 == text.size() || std::isspace(static_cast<unsigned char>(text[end + 1]));
+    return word_ends && std::string_view(".;:").find(text[end]) != std::string_view::npos;
+  };
+  while (end < text.size() && !ends()) ++end;
+  return text.substr(0, end);
+}
+
 std::string name_in(const std::string& usage) {
   std::istringstream words(usage);
   std::string name, word;
@@ -53,8 +66,7 @@ Manual manual_of(const CommandLine& line) {
 
 std::string man_page(const Manual& manual) {
   auto page = fmt::format(".TH \"{}\" 1 \"\" \"tektite {}\" \"User Commands\"\n", manual.name, version);
-  const auto first = manual.about.substr(0, manual.about.find_first_of(".;:\n"));
-  page += fmt::format(".SH NAME\n{} \\- {}\n", plain(manual.name), plain(first));
+  page += fmt::format(".SH NAME\n{} \\- {}\n", plain(manual.name), plain(first_part(manual.about)));
   page += fmt::format(".SH SYNOPSIS\n.nf\n{}\n.fi\n", plain(manual.usage));
   page += fmt::format(".SH DESCRIPTION\n{}\n.SH {}\n", plain(manual.about), manual.heading);
   for (const auto& [term, text] : manual.entries)

@@ -41,3 +41,18 @@ TEST_CASE("Manual: roff takes nothing of the text for a request or an escape") {
   CHECK_THAT(page, Contains("\n\\&.5 of a sentence; a \\e in it\n"));
   CHECK_THAT(page, Contains("\\fB\\-o, \\-\\-output DIR\\fR\nwhere to\n"));
 }
+
+TEST_CASE("Manual: the name's line is the first sentence, in which names of files are whole") {
+  CommandLine stage;
+  stage.usage = "tektite-solve DIR";
+  const auto name_line = [&](const std::string& about) {
+    stage.about = about;
+    const auto page = man_page(manual_of(stage));
+    const auto from = page.find(".SH NAME\n") + 9;
+    return page.substr(from, page.find('\n', from) - from);
+  };
+  CHECK(name_line("Computes DIR/particles.h5; leaves DIR/run.log.") == "tektite\\-solve \\- Computes DIR/particles.h5");
+  CHECK(name_line("Computes a run. Leaves it.") == "tektite\\-solve \\- Computes a run");
+  CHECK(name_line("Computes DIR/particles.h5\nand more") == "tektite\\-solve \\- Computes DIR/particles.h5");
+  CHECK(name_line("Ends with one.") == "tektite\\-solve \\- Ends with one");
+}
