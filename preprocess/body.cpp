@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/plain_name.hpp"
 #include "preprocess/geometry/registry.hpp"
 #include "preprocess/symmetry.hpp"
 
@@ -83,6 +84,7 @@ double spacing_of(const BodyPlan& plan) {
 std::map<std::string, double> read_densities(Section& root) {
   std::map<std::string, double> densities;
   for (auto& [name, material] : root.named_sections("material")) {
+    if (!is_plain_name(name)) throw material.fault("", "stands in reports, so it must be plain", plain_characters);
     densities[name] = material.quantity("density", dimension::density, limits::positive);
     leave_others(material, Stage::preprocess);
     material.finish();
@@ -97,6 +99,8 @@ std::vector<BodyPlan> read_bodies(Section& root, const Scene& scene, const std::
   const int dimensions = dimensions_of(scene.space);
   std::vector<BodyPlan> plans;
   for (auto& [name, body] : root.named_sections("body")) {
+    if (!is_plain_name(name))
+      throw body.fault("", "names rows of fragments.csv, so it must be plain", plain_characters);
     const auto material = read_material(body, densities);
     auto shape = read_shape(body.section("shape"), dimensions);
     auto arrangement = read_arrangement(body.section_or_empty("arrangement"), dimensions);

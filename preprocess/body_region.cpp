@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/plain_name.hpp"
 #include "preprocess/geometry/registry.hpp"
 #include "preprocess/symmetry.hpp"
 
@@ -20,6 +21,7 @@ std::optional<KernelType> read_kernel(Section& section) {
 }
 
 BodyRegion read_region(const std::string& name, Section& section, int dimensions) {
+  if (!is_plain_name(name)) throw section.fault("", "stands in reports, so it must be plain", plain_characters);
   BodyRegion region{name, read_shape(section.section("shape"), dimensions), {}, {}, {}, {}, {}, section};
   if (section.has("density")) region.density = section.quantity("density", dimension::density, limits::positive);
   if (section.has("specific_internal_energy"))

@@ -1,3 +1,4 @@
+#include "core/plain_name.hpp"
 #include "postprocess/measure/measure.hpp"
 
 namespace tektite {
@@ -20,6 +21,8 @@ std::vector<NamedMeasure> read_measures(Section& root, const Declared& declared)
   for (const auto& kind : measure_kinds()) known.push_back(kind.name);
   std::vector<NamedMeasure> measures;
   for (auto& [name, section] : root.named_sections("measure")) {
+    if (!is_plain_name(name))
+      throw section.fault("", "names a number of measurements.json, so it must be plain", plain_characters);
     const auto type = section.choice("type", known, name);
     for (const auto& kind : measure_kinds())
       if (kind.name == type) measures.push_back({name, &kind, kind.read(section, declared)});
