@@ -128,7 +128,13 @@ FilledBody fill_body(BodyPlan plan, std::span<const SymmetryPlane> planes, doubl
   if (filling.positions.empty())
     throw plan.section.fault("shape", fmt::format("no particle falls inside at a spacing of {:g} m", spacing));
   auto warnings = misaligned(filling.positions, plan.shape->bounds(), spacing, planes);
-  return {std::move(plan), std::move(filling.positions), spacing, filling.cell, kept, std::move(warnings)};
+  return {std::move(plan),
+          std::move(filling.positions),
+          spacing,
+          filling.step_along_x.value_or(spacing),
+          filling.cell,
+          kept,
+          std::move(warnings)};
 }
 
 }  // namespace tektite::preprocess

@@ -32,6 +32,7 @@ struct FilledBody {
   BodyPlan plan;
   std::vector<Point> positions;  ///< m
   double spacing = 0.0;          ///< m
+  double step_along_x = 0.0;     ///< m, of the cells: the spacing unless they are stretched
   double cell = 0.0;             ///< m, m² or m³ for each particle
   double exact_measure = 0.0;    ///< m, m² or m³ of the part of the shape on the kept side
   std::vector<std::string> warnings;

@@ -53,13 +53,13 @@ void store(const FilledBody& body, const Scene& scene, Range range, Particles& p
 }
 
 /// Length of the ring, or area of the shell, that a particle at this radius stands for in a radial space; 1 elsewhere.
-/// A particle on the axis has half a cell, whose mean radius is a quarter of the spacing.
-double about_axis(double radius, double spacing, Space space) {
+/// A particle on the axis has half a cell, whose mean radius is a quarter of its `width`.
+double about_axis(double radius, double width, Space space) {
   constexpr double pi = std::numbers::pi;
-  const double mean = radius > 0.0 ? radius : 0.25 * spacing;
+  const double mean = radius > 0.0 ? radius : 0.25 * width;
   if (hoops_of(space) == 1) return 2.0 * pi * mean;
   if (hoops_of(space) == 2)
-    return radius > 0.0 ? 4.0 * pi * (radius * radius + spacing * spacing / 12.0) : pi / 3.0 * spacing * spacing;
+    return radius > 0.0 ? 4.0 * pi * (radius * radius + width * width / 12.0) : pi / 3.0 * width * width;
   return 1.0;
 }
 
@@ -72,7 +72,7 @@ void store_masses(const FilledBody& body, const Scene& scene, Range range, Parti
 #pragma omp parallel for schedule(static)
   for (std::size_t i = range.begin; i < range.end; ++i)
     masses[i] = densities[i] * volume * mass_share(body.positions[i - range.begin], planes) *
-                about_axis(body.positions[i - range.begin][0], body.spacing, scene.space);
+                about_axis(body.positions[i - range.begin][0], body.step_along_x, scene.space);
 }
 
 BodyReport describe(const FilledBody& body, const Scene& scene, Range range, const Particles& particles) {

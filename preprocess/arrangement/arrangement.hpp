@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/document.hpp"
@@ -25,6 +26,8 @@ inline constexpr double most_spacings = 1e9;
 struct Filling {
   std::vector<Point> positions;
   double cell = 0.0;
+  std::optional<double> step_along_x =
+      std::nullopt;  ///< m, of cells that are stretched; nothing where it is the spacing
 };
 
 class Arrangement {

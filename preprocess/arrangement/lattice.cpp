@@ -35,6 +35,7 @@ class Lattice : public Arrangement {
     filling.positions = fill_rows(shape, rows(axes), edge_tolerance * spacing);
     filling.cell = 1.0;
     for (int k = 0; k < shape.dimensions(); ++k) filling.cell *= axes[k].step;
+    filling.step_along_x = axes[0].step;
     return filling;
   }
 

@@ -1,6 +1,7 @@
 #include <omp.h>
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <numeric>
 
 #include "scene_text.hpp"
@@ -153,4 +154,15 @@ TEST_CASE("Bodies: what cannot be filled is refused with the reason") {
   CHECK_NOTHROW(result_of("plane-strain", between + "arrangement = { convention = 'edges-included' }\n"));
   CHECK_THAT(fault("plane-strain", between + "arrangement = { convention = 'on-origin', origin = [0.05, 0.05] }\n"),
              Catch::Contains("no particle falls inside"));
+}
+
+TEST_CASE("About an axis: cells that are stretched on to it have the mass of what they sweep", "[axis]") {
+  // radii 0, 0.11, ..., 0.99 where steps of 0.107 were asked for; the last cell reaches to 1.045
+  const auto segment = [](const std::string& space) {
+    return result_of(space,
+                     "[body.a]\nmaterial = 'unit'\nshape = { type = 'segment', lower = 0, upper = 0.99 }\n"
+                     "spacing = 0.107\narrangement = { type = 'lattice', convention = 'edges-included' }\n");
+  };
+  CHECK(segment("cylindrical").bodies[0].mass == Approx(M_PI * 1.045 * 1.045).epsilon(1e-12));
+  CHECK(segment("spherical").bodies[0].mass == Approx(4.0 / 3.0 * M_PI * std::pow(1.045, 3)).epsilon(1e-12));
 }
