@@ -116,11 +116,13 @@ std::vector<BodyPlan> read_bodies(Section& root, const Scene& scene, const std::
   return plans;
 }
 
-FilledBody fill_body(BodyPlan plan, std::span<const SymmetryPlane> planes, double most_particles) {
+FilledBody fill_body(BodyPlan plan, const Scene& scene, double most_particles) {
+  const auto& planes = scene.symmetry;
   check_count(plan, most_particles);
   const double spacing = as_fault_of(plan.section, "arrangement", [&] { return spacing_of(plan); });
   check_size(plan, spacing, most_particles);
-  const double kept = as_fault_of(plan.section, "shape", [&] { return kept_measure(*plan.shape, planes); });
+  const double kept =
+      as_fault_of(plan.section, "shape", [&] { return kept_measure(*plan.shape, planes, scene.space); });
   if (kept <= 0.0) throw plan.section.fault("shape", "the body lies wholly beyond a symmetry plane");
   auto filling = as_fault_of(plan.section, "arrangement",
                              [&] { return plan.arrangement.arrangement->fill(*plan.shape, spacing); });

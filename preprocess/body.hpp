@@ -34,7 +34,7 @@ struct FilledBody {
   double spacing = 0.0;          ///< m
   double step_along_x = 0.0;     ///< m, of the cells: the spacing unless they are stretched
   double cell = 0.0;             ///< m, m² or m³ for each particle
-  double exact_measure = 0.0;    ///< m, m² or m³ of the part of the shape on the kept side
+  double exact_measure = 0.0;    ///< m, m² or m³ of the part of the shape on the kept side, about the axis if any
   std::vector<std::string> warnings;
 };
 
@@ -44,8 +44,8 @@ std::map<std::string, double> read_densities(Section& root);
 /// Reads all [body.NAME] in the order of the scene, and the scene's `spacing`. Throws InputError.
 std::vector<BodyPlan> read_bodies(Section& root, const Scene& scene, const std::map<std::string, double>& densities);
 
-/// Fills a body; only the side of the symmetry planes that is kept. Throws InputError where that would give more than
-/// `most_particles`, where no particle falls inside, or where the body is thinner than a spacing.
-FilledBody fill_body(BodyPlan plan, std::span<const SymmetryPlane> planes, double most_particles);
+/// Fills a body of a scene; only the side of the symmetry planes that is kept. Throws InputError where that would give
+/// more than `most_particles`, where no particle falls inside, or where the body is thinner than a spacing.
+FilledBody fill_body(BodyPlan plan, const Scene& scene, double most_particles);
 
 }  // namespace tektite::preprocess

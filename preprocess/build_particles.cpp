@@ -20,17 +20,29 @@ std::vector<Body> ranges(const std::vector<FilledBody>& filled) {
   return bodies;
 }
 
-/// Number of whole particles: one on a symmetry plane is half a particle.
-double whole_particles(const FilledBody& body, std::span<const SymmetryPlane> planes) {
-  double shares = 0.0;
-  for (const auto& position : body.positions) shares += mass_share(position, planes);
-  return shares;
+/// Length of the ring, or area of the shell, that a particle at this radius stands for in a radial space; 1 elsewhere.
+/// A particle on the axis has half a cell, whose mean radius is a quarter of its `width`.
+double about_axis(double radius, double width, Space space) {
+  constexpr double pi = std::numbers::pi;
+  const double mean = radius > 0.0 ? radius : 0.25 * width;
+  if (hoops_of(space) == 1) return 2.0 * pi * mean;
+  if (hoops_of(space) == 2)
+    return radius > 0.0 ? 4.0 * pi * (radius * radius + width * width / 12.0) : pi / 3.0 * width * width;
+  return 1.0;
 }
 
-/// Volume (m, m² or m³) of a particle that lies off all symmetry planes.
-double whole_volume(const FilledBody& body, std::span<const SymmetryPlane> planes) {
+/// What a particle has of its cell: half of it a symmetry plane on which it lies; in the spaces about an axis, all that
+/// this sweeps.
+double share_of(const FilledBody& body, const Point& position, const Scene& scene) {
+  return mass_share(position, scene.symmetry) * about_axis(position[0], body.step_along_x, scene.space);
+}
+
+/// Length, area or volume (m, m² or m³) of a whole cell.
+double whole_cell(const FilledBody& body, const Scene& scene) {
   if (body.plan.arrangement.mass == MassRule::cell) return body.cell;
-  return body.exact_measure / whole_particles(body, planes);
+  double shares = 0.0;
+  for (const auto& position : body.positions) shares += share_of(body, position, scene);
+  return body.exact_measure / shares;
 }
 
 void store(const FilledBody& body, const Scene& scene, Range range, Particles& particles) {
@@ -52,27 +64,14 @@ void store(const FilledBody& body, const Scene& scene, Range range, Particles& p
   }
 }
 
-/// Length of the ring, or area of the shell, that a particle at this radius stands for in a radial space; 1 elsewhere.
-/// A particle on the axis has half a cell, whose mean radius is a quarter of its `width`.
-double about_axis(double radius, double width, Space space) {
-  constexpr double pi = std::numbers::pi;
-  const double mean = radius > 0.0 ? radius : 0.25 * width;
-  if (hoops_of(space) == 1) return 2.0 * pi * mean;
-  if (hoops_of(space) == 2)
-    return radius > 0.0 ? 4.0 * pi * (radius * radius + width * width / 12.0) : pi / 3.0 * width * width;
-  return 1.0;
-}
-
 /// After the regions, which may have changed densities.
 void store_masses(const FilledBody& body, const Scene& scene, Range range, Particles& particles) {
-  const auto& planes = scene.symmetry;
-  const double volume = whole_volume(body, planes);
+  const double cell = whole_cell(body, scene);
   const auto densities = particles.reals(Field::density);
   auto masses = particles.reals(Field::mass);
 #pragma omp parallel for schedule(static)
   for (std::size_t i = range.begin; i < range.end; ++i)
-    masses[i] = densities[i] * volume * mass_share(body.positions[i - range.begin], planes) *
-                about_axis(body.positions[i - range.begin][0], body.step_along_x, scene.space);
+    masses[i] = densities[i] * cell * share_of(body, body.positions[i - range.begin], scene);
 }
 
 BodyReport describe(const FilledBody& body, const Scene& scene, Range range, const Particles& particles) {
@@ -84,9 +83,10 @@ BodyReport describe(const FilledBody& body, const Scene& scene, Range range, con
   const auto masses = particles.reals(Field::mass).subspan(range.begin, range.size());
   report.spacing = body.spacing;
   report.mass = std::accumulate(masses.begin(), masses.end(), 0.0);
-  const double mean_density =
-      report.mass / (whole_volume(body, scene.symmetry) * whole_particles(body, scene.symmetry));
-  if (hoops_of(scene.space) == 0) report.exact_mass = mean_density * body.exact_measure;
+  const auto densities = particles.reals(Field::density).subspan(range.begin, range.size());
+  double volume = 0.0;
+  for (std::size_t i = 0; i < range.size(); ++i) volume += masses[i] / densities[i];
+  report.exact_mass = report.mass / volume * body.exact_measure;
   report.mass_spread = body.plan.arrangement.mass == MassRule::exact;
   report.remarks = body.plan.shape->remarks();
   report.warnings = body.warnings;
@@ -100,15 +100,11 @@ Result build_particles(Document& document, double most_particles) {
   const auto scene = read_scene(root, Stage::preprocess);
   const auto densities = read_densities(root);
   auto plans = read_bodies(root, scene, densities);
-  for (const auto& plan : plans)
-    if (hoops_of(scene.space) > 0 && plan.arrangement.mass == MassRule::exact)
-      throw plan.section.fault("arrangement", "the exact mass of what a section sweeps about the axis is not known",
-                               "mass = \"cell\"");
   root.finish();
 
   std::vector<FilledBody> filled;
   for (auto& plan : plans) {
-    filled.push_back(fill_body(std::move(plan), scene.symmetry, most_particles));
+    filled.push_back(fill_body(std::move(plan), scene, most_particles));
     most_particles -= static_cast<double>(filled.back().positions.size());
   }
   check_overlaps(filled);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "preprocess/arrangement/arrangement.hpp"
 
@@ -36,6 +37,15 @@ Region rectangle(const Box& box) {
 
 bool cuts(const SymmetryPlane& plane, const Box& box) {
   return box.lower[plane.axis] < plane.at && plane.at < box.upper[plane.axis];
+}
+
+/// Area or volume that the part of the shape within the box sweeps about the axis, or as a shell about the centre.
+double swept_measure(const Shape& shape, const Box& kept, Space space) {
+  constexpr double pi = std::numbers::pi;
+  const double inner = kept.lower[0], outer = kept.upper[0];
+  if (space == Space::cylindrical) return pi * (outer * outer - inner * inner);
+  if (space == Space::spherical) return 4.0 / 3.0 * pi * (std::pow(outer, 3) - std::pow(inner, 3));
+  return 2.0 * pi * shape.region({}).common(rectangle(kept)).first_moment();
 }
 
 }  // namespace
@@ -89,7 +99,7 @@ Point along_planes(Point velocity, const Point& position, std::span<const Symmet
   return velocity;
 }
 
-double kept_measure(const Shape& shape, std::span<const SymmetryPlane> planes) {
+double kept_measure(const Shape& shape, std::span<const SymmetryPlane> planes, Space space) {
   const auto whole = shape.bounds();
   auto kept = whole;
   bool cut = false;
@@ -98,6 +108,7 @@ double kept_measure(const Shape& shape, std::span<const SymmetryPlane> planes) {
     cut = cut || cuts(plane, whole);
     if (kept.extent(plane.axis) <= 0.0) return 0.0;
   }
+  if (hoops_of(space) > 0) return swept_measure(shape, kept, space);
   if (!cut) return shape.measure();
   if (shape.dimensions() == 1) return kept.extent(0);
   if (shape.dimensions() == 2) return shape.region({}).common(rectangle(kept)).area();

@@ -25,8 +25,8 @@ double mass_share(const Point& position, std::span<const SymmetryPlane> planes);
 /// The velocity without what would carry a particle off a plane on which it lies.
 Point along_planes(Point velocity, const Point& position, std::span<const SymmetryPlane> planes);
 
-/// Length, area or volume of the part on the kept side of all planes. Throws InputError where CGAL cannot cut the
-/// shape.
-double kept_measure(const Shape& shape, std::span<const SymmetryPlane> planes);
+/// Length, area or volume of the part on the kept side of all planes; in the spaces about an axis, of what that sweeps
+/// about it. Throws InputError where CGAL cannot cut the shape.
+double kept_measure(const Shape& shape, std::span<const SymmetryPlane> planes, Space space);
 
 }  // namespace tektite::preprocess

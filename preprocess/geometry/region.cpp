@@ -44,10 +44,39 @@ double swept_area(const Arc& arc) {
   return arc.orientation() == CGAL::COUNTERCLOCKWISE ? chord + segment : chord - segment;
 }
 
-double area_of(const Polygon& polygon) {
-  double area = 0.0;
-  for (auto arc = polygon.curves_begin(); arc != polygon.curves_end(); ++arc) area += swept_area(*arc);
-  return area;
+/// The part of Green's integral ½ ∮ x² dy along one curve.
+double swept_moment(const Arc& arc) {
+  const auto s = rounded(arc.source()), t = rounded(arc.target());
+  if (arc.is_linear()) return (t.y - s.y) * (s.x * s.x + s.x * t.x + t.x * t.x) / 6.0;
+  const auto c = rounded(arc.supporting_circle().center());
+  const double radius = std::sqrt(CGAL::to_double(arc.supporting_circle().squared_radius()));
+  const PlaneVector a{s.x - c.x, s.y - c.y}, b{t.x - c.x, t.y - c.y};
+  const double size = std::atan2(std::abs(cross(a, b)), a.x * b.x + a.y * b.y);
+  const double turn = arc.orientation() == CGAL::COUNTERCLOCKWISE ? size : -size;
+  // of x = c.x + radius cos θ and dy = radius cos θ dθ
+  const auto up_to = [&](const PlaneVector& end) {
+    const double cosine = end.x / radius, sine = end.y / radius;
+    return c.x * c.x * sine + c.x * radius * sine * cosine + radius * radius * (sine - sine * sine * sine / 3.0);
+  };
+  return 0.5 * radius * (up_to(b) - up_to(a) + c.x * radius * turn);
+}
+
+double sum_over(const Polygon& polygon, double (*of_arc)(const Arc&)) {
+  double sum = 0.0;
+  for (auto arc = polygon.curves_begin(); arc != polygon.curves_end(); ++arc) sum += of_arc(*arc);
+  return sum;
+}
+
+/// Outer boundaries run counter-clockwise, those of holes clockwise.
+double sum_over(const CGAL::General_polygon_set_2<Traits>& polygons, double (*of_arc)(const Arc&)) {
+  std::list<Traits::Polygon_with_holes_2> parts;
+  polygons.polygons_with_holes(std::back_inserter(parts));
+  double sum = 0.0;
+  for (const auto& part : parts) {
+    sum += sum_over(part.outer_boundary(), of_arc);
+    for (auto hole = part.holes_begin(); hole != part.holes_end(); ++hole) sum += sum_over(*hole, of_arc);
+  }
+  return sum;
 }
 
 }  // namespace
@@ -100,16 +129,9 @@ Region Region::common(const Region& other) const {
   return Region(result);
 }
 
-double Region::area() const {
-  std::list<Traits::Polygon_with_holes_2> parts;
-  set_->polygons.polygons_with_holes(std::back_inserter(parts));
-  double area = 0.0;
-  for (const auto& part : parts) {
-    area += area_of(part.outer_boundary());                                                         // counter-clockwise
-    for (auto hole = part.holes_begin(); hole != part.holes_end(); ++hole) area += area_of(*hole);  // clockwise
-  }
-  return area;
-}
+double Region::area() const { return sum_over(set_->polygons, swept_area); }
+
+double Region::first_moment() const { return sum_over(set_->polygons, swept_moment); }
 
 bool is_simple(const std::vector<PlanePoint>& corners) {
   using Corner = CGAL::Exact_predicates_inexact_constructions_kernel;

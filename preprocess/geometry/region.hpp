@@ -22,6 +22,8 @@ class Region {
 
   /// In m².
   double area() const;
+  /// ∫ x dA in m³: what the region sweeps about the axis x = 0, over 2π.
+  double first_moment() const;
 
  private:
   struct Set;

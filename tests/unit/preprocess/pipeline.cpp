@@ -166,3 +166,17 @@ TEST_CASE("About an axis: cells that are stretched on to it have the mass of wha
   CHECK(segment("cylindrical").bodies[0].mass == Approx(M_PI * 1.045 * 1.045).epsilon(1e-12));
   CHECK(segment("spherical").bodies[0].mass == Approx(4.0 / 3.0 * M_PI * std::pow(1.045, 3)).epsilon(1e-12));
 }
+
+TEST_CASE("About an axis: the exact mass is that of the solid, told and given on request", "[axis]") {
+  const auto rod = [](const std::string& mass) {
+    return result_of("axisymmetric",
+                     "[body.a]\nmaterial = 'unit'\nshape = { type = 'rectangle', lower = [0, 0], upper = [1, 2] }\n"
+                     "arrangement = { type = 'lattice', convention = 'edges-included', mass = '" +
+                         mass + "' }\n");
+  };
+  const auto cells = rod("cell");
+  CHECK(cells.bodies[0].mass == Approx(M_PI * 1.05 * 1.05 * 2.1).epsilon(1e-12));
+  CHECK(cells.bodies[0].exact_mass == Approx(2 * M_PI).epsilon(1e-12));
+  CHECK_THAT(preprocess::in_words(cells), Catch::Contains("exact 6.28319 kg, difference +15.763 %"));
+  CHECK(rod("exact").bodies[0].mass == Approx(2 * M_PI).epsilon(1e-12));
+}

@@ -92,24 +92,42 @@ TEST_CASE("Shapes: the measure is the formula's, and random points inside agree 
   CHECK(std::abs(static_cast<double>(hits) / samples - share) <= 5.0 * deviation + 1e-12);
 }
 
+TEST_CASE("Shapes: what a section sweeps about the axis is exact") {
+  const std::vector<SymmetryPlane> axis{{0, 0.0, 1.0}};
+  const auto swept = [&](const std::string& shape, const std::vector<SymmetryPlane>& planes) {
+    return kept_measure(*shape_of(shape, 2), planes, Space::axisymmetric);
+  };
+  CHECK(swept("{ type = 'rectangle', lower = [0, 1], upper = [2, 4] }", axis) == Approx(12 * M_PI).epsilon(1e-12));
+  CHECK(swept("{ type = 'disc', radius = 1.0, centre = [0, 3] }", axis) == Approx(4 * M_PI / 3).epsilon(1e-12));
+  CHECK(swept("{ type = 'disc', radius = 1.0, centre = [3, 0] }", axis) == Approx(6 * M_PI * M_PI).epsilon(1e-12));
+  CHECK(swept("{ type = 'ring', inner_radius = 1.0, outer_radius = 2.0, centre = [3, -1] }", axis) ==
+        Approx(18 * M_PI * M_PI).epsilon(1e-12));
+  CHECK(swept("{ type = 'polygon', points = [[0, 0], [3, 0], [0, 2]] }", axis) == Approx(6 * M_PI).epsilon(1e-12));
+  const std::vector<SymmetryPlane> half{{0, 0.0, 1.0}, {1, 0.5, 1.0}};
+  CHECK(swept("{ type = 'disc', radius = 1.0 }", half) == Approx(M_PI * 0.25 * 2.5 / 3.0).epsilon(1e-12));
+  const auto segment = shape_of("{ type = 'segment', lower = 1.0, upper = 3.0 }", 1);
+  CHECK(kept_measure(*segment, axis, Space::cylindrical) == Approx(8 * M_PI).epsilon(1e-12));
+  CHECK(kept_measure(*segment, axis, Space::spherical) == Approx(104 * M_PI / 3).epsilon(1e-12));
+}
+
 TEST_CASE("Shapes: symmetry planes cut off the share that they should") {
   const std::vector<SymmetryPlane> quarter{{0, 0.0, 1.0}, {1, 0.0, -1.0}};
   const auto disc = shape_of("{ type = 'disc', radius = 1.0 }", 2);
-  CHECK(kept_measure(*disc, quarter) == Approx(M_PI / 4).epsilon(1e-12));
+  CHECK(kept_measure(*disc, quarter, Space::plane_strain) == Approx(M_PI / 4).epsilon(1e-12));
   const std::vector<SymmetryPlane> off_centre{{0, 0.5, 1.0}};
-  CHECK(kept_measure(*disc, off_centre) == Approx(M_PI / 3 - std::sqrt(3.0) / 4).epsilon(1e-12));
+  CHECK(kept_measure(*disc, off_centre, Space::plane_strain) == Approx(M_PI / 3 - std::sqrt(3.0) / 4).epsilon(1e-12));
   const auto box = shape_of("{ type = 'box', lower = [-1, -1, 0], upper = [2, 1, 1] }", 3);
-  CHECK(kept_measure(*box, quarter) == Approx(2.0).epsilon(1e-12));
+  CHECK(kept_measure(*box, quarter, Space::solid) == Approx(2.0).epsilon(1e-12));
   const auto ball = shape_of("{ type = 'sphere', radius = 1.0 }", 3);
-  CHECK(kept_measure(*ball, quarter) == Approx(M_PI / 3).epsilon(1e-12));
+  CHECK(kept_measure(*ball, quarter, Space::solid) == Approx(M_PI / 3).epsilon(1e-12));
   // A cap of height 1/2: π h² (3 − h)/3. The triangles' share of 1e-4 of the whole is what surface.hpp promises.
   const double cap = M_PI * 0.25 * 2.5 / 3.0;
   for (const int axis : {0, 1}) {
     const std::vector<SymmetryPlane> cut{{axis, 0.5, 1.0}};
-    CHECK(std::abs(kept_measure(*ball, cut) - cap) < 1e-4 * ball->measure());
+    CHECK(std::abs(kept_measure(*ball, cut, Space::solid) - cap) < 1e-4 * ball->measure());
   }
   const auto segment = shape_of("{ type = 'segment', lower = -1.0, upper = 3.0 }", 1);
-  CHECK(kept_measure(*segment, std::vector<SymmetryPlane>{{0, 0.0, -1.0}}) == 1.0);
+  CHECK(kept_measure(*segment, std::vector<SymmetryPlane>{{0, 0.0, -1.0}}, Space::line) == 1.0);
 }
 
 TEST_CASE("Shapes: a ball cut out of a box leaves its volume to the share that triangles cost") {
