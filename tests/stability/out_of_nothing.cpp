@@ -1,0 +1,66 @@
+// Motion out of nothing: a limiter that steepens waves pays for it with internal energy, and bodies that start within
+// each other's reach are driven apart by their contact. Both keep the total energy, so both have a name of their own.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "run/contact_at_start.hpp"
+#include "support/lattice.hpp"
+#include "support/said.hpp"
+
+using namespace tektite;
+
+namespace {
+
+constexpr double d = 1e-4;  // spacing, m
+
+const std::string elastic =
+    "time.end = '1 ms'\n[material.metal]\ndensity = 2785.0\neos = { model = 'linear', bulk_modulus = '79 GPa' }\n"
+    "strength = { model = 'elastic', shear_modulus = '27.6 GPa' }\n";
+
+/// A bar with free ends and a pulse of 1 m/s in its middle.
+Simulation ringing_bar(const std::string& scheme) {
+  constexpr int count = 100;
+  auto particles = test::particles_on(Space::line, {{"bar", "metal", d, {0.5 * d}, {count}, {0.0}}}, 2785.0);
+  for (std::size_t i = 0; i < particles.count(); ++i) {
+    const double x = (particles.reals(Field::position)[i] / (count * d) - 0.5) / 0.8;
+    particles.reals(Field::velocity)[i] = std::abs(x) < 0.5 ? std::pow(std::cos(std::numbers::pi * x), 4) : 0.0;
+  }
+  return test::simulation_of(scheme + elastic, std::move(particles));
+}
+
+/// Two plates at rest with this many spacings between their outermost particles.
+Simulation plates(double apart, double speed) {
+  const double width = 8 * d;
+  auto particles = test::particles_on(Space::plane_strain,
+                                      {{"left", "metal", d, {0.0, 0.0}, {8, 24}, {speed, 0.0}},
+                                       {"right", "metal", d, {width - d + apart * d, 0.0}, {8, 24}, {0.0, 0.0}}},
+                                      2785.0);
+  return test::simulation_of(
+      "scheme = { type = 'total-lagrangian' }\ncontact = { model = 'kernel-penalty' }\n" + elastic,
+      std::move(particles));
+}
+
+}  // namespace
+
+TEST_CASE("Energy debt: superbee makes an elastic bar ring ever louder, minmod does not, and it is told") {
+  const std::string split = "scheme = { type = 'godunov-split', limiter = { model = 'sweby', beta = ";
+  for (const auto& [scheme, grows] : {std::pair<std::string, bool>{split + "2 } }\n", true},
+                                      {split + "1 } }\n", false},
+                                      {"scheme = { type = 'eulerian' }\n", false},
+                                      {"scheme = { type = 'total-lagrangian' }\n", false}}) {
+    INFO(scheme);
+    auto simulation = ringing_bar(scheme);
+    const double before = simulation.ledger().kinetic;
+    for (int k = 0; k < 6000; ++k) simulation.step();
+    CHECK((simulation.ledger().kinetic > 1.5 * before) == grows);
+    CHECK(std::abs(simulation.energy_drift(simulation.ledger())) < 1e-2);
+    CHECK(test::said(simulation).contains("energy-debt") == grows);
+  }
+}
+
+TEST_CASE("Contact at the start: bodies that touch are told of, those a support apart are not, nor fast ones") {
+  CHECK(contact_at_start(plates(1.0, 0.0)).has_value());
+  CHECK_FALSE(contact_at_start(plates(3.0, 0.0)).has_value());
+  CHECK_FALSE(contact_at_start(plates(2.0, 3000.0)).has_value());
+}
