@@ -52,7 +52,7 @@ TEST_CASE("Energy debt: superbee makes an elastic bar ring ever louder, minmod d
     INFO(scheme);
     auto simulation = ringing_bar(scheme);
     const double before = simulation.ledger().kinetic;
-    for (int k = 0; k < 6000; ++k) simulation.step();
+    for (int k = 0; k < 12000; ++k) simulation.step();
     CHECK((simulation.ledger().kinetic > 1.5 * before) == grows);
     CHECK(std::abs(simulation.energy_drift(simulation.ledger())) < 1e-2);
     CHECK(test::said(simulation).contains("energy-debt") == grows);
