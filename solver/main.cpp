@@ -21,7 +21,7 @@ int main(int argc, char** argv) {
         "DIR/solve.json and DIR/run.log.";
     line.options.add_options()("resume", "go on from the newest snapshot")(
         "threads", po::value<int>()->value_name("N")->default_value(0),
-        "threads to use (0: all processors, if each has a thousand particles)")(
+        "threads to use (0: all processors, if each has five hundred particles)")(
         "check", po::value<std::string>()->value_name("FILE.h5"),
         "say what a run of these particles would do; compute nothing that is kept")(
         "advice", po::value<std::string>()->value_name("FILE"),

@@ -18,7 +18,7 @@ int resume(const Words& arguments) {
   line.about =
       "Goes on from the newest snapshot of a run, bit for bit as if it had not stopped; then measures and draws.";
   line.options.add_options()("threads", po::value(&threads)->value_name("N"),
-                             "threads to compute with; else all processors, if each has a thousand particles");
+                             "threads to compute with; else all processors, if each has five hundred particles");
   line.hidden.add_options()("DIR", po::value(&folder)->required());
   line.positional.add("DIR", 1);
   po::variables_map values;

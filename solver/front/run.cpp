@@ -99,7 +99,7 @@ std::optional<Order> read_order(const Words& arguments) {
   line.options.add_options()("output,o", po::value(&output)->value_name("DIR"),
                              "folder of the run; else runs/NAME-VARIANT")(
       "threads", po::value(&threads)->value_name("N"),
-      "threads to compute with; else all processors, if each has a thousand particles")(
+      "threads to compute with; else all processors, if each has five hundred particles")(
       "replace", po::bool_switch(&order.replace), "replace the run that DIR holds")("no-pictures",
                                                                                     "numbers and ParaView files only");
   po::variables_map values;

@@ -28,7 +28,7 @@ void use_threads(int wanted) {
 }
 
 void use_threads(int wanted, std::size_t particles) {
-  constexpr std::size_t least_particles = 1000;
+  constexpr std::size_t least_particles = 500;
   const auto all = static_cast<std::size_t>(omp_get_max_threads());
   use_threads(wanted > 0 ? wanted : static_cast<int>(std::clamp<std::size_t>(particles / least_particles, 1, all)));
 }

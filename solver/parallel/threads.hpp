@@ -15,8 +15,8 @@ void wait_briefly(char** argv);
 /// So many threads from now on; 0 leaves it at all processors (or what OMP_NUM_THREADS says).
 void use_threads(int wanted);
 
-/// No more threads than have a thousand of these particles each, and at least one, where none are `wanted` by number: a
-/// loop over fewer is over before another thread has begun.
+/// No more threads than have five hundred of these particles each, and at least one, where none are `wanted` by number:
+/// a loop over fewer is over before another thread has begun.
 void use_threads(int wanted, std::size_t particles);
 
 int threads_in_use();

@@ -4,7 +4,7 @@
 
 namespace tektite {
 
-TEST_CASE("Threads: each has a thousand particles, unless a number of them is asked for") {
+TEST_CASE("Threads: each has five hundred particles, unless a number of them is asked for") {
   const int before = threads_in_use();
   use_threads(3);
   CHECK(threads_in_use() == 3);
@@ -12,7 +12,7 @@ TEST_CASE("Threads: each has a thousand particles, unless a number of them is as
   CHECK(threads_in_use() == 3);
   use_threads(0, 10'000'000);
   CHECK(threads_in_use() == 3);
-  use_threads(0, 2999);
+  use_threads(0, 1499);
   CHECK(threads_in_use() == 2);
   use_threads(0, 0);
   CHECK(threads_in_use() == 1);
