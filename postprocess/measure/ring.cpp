@@ -25,7 +25,7 @@ struct Radii {
 /// Where a particle of a face is.
 struct Polar {
   double angle, radius;
-  auto operator<=>(const Polar&) const = default;
+  auto operator<=>(const Polar&) const = default;  // NOLINT(modernize-use-nullptr): clang-tidy 14 misreads it
 };
 
 Radii radii_of(const Event& event, const Whole& now, std::int32_t body, const Point& centre, Face face) {

@@ -12,7 +12,7 @@ namespace {
 
 /// "centre.velocity_x" belongs to the field velocity, "centre.deviatoric_stress_xy" to deviatoric_stress.
 std::string field_of_column(const std::string& column) {
-  const auto field = column.substr(column.find('.') + 1);
+  auto field = column.substr(column.find('.') + 1);
   const auto suffix = field.rfind('_');
   if (field_named(field) || suffix == std::string::npos || field.find_first_not_of("xyz", suffix + 1) != field.npos)
     return field;
