@@ -88,9 +88,9 @@ void Watch::look_at(const Particles& particles, const Body& body, const RunSetti
         fmt::format("the internal energy of {} is below zero, by {:.2g} of its kinetic energy in its own frame: motion "
                     "has grown there that nothing drives, though the total is kept; {} may mend it",
                     body.name, debt,
-                    settings.scheme.type == "godunov-split"
-                        ? "scheme.limiter = { model = \"sweby\", beta = 1 }, which does not steepen waves,"
-                        : "another scheme"));
+                    settings.scheme.type == "godunov-split" ? "scheme.order = 1, which damps waves, or the limiter "
+                                                              "sweby with beta = 1, which steepens them the least,"
+                                                            : "another scheme"));
   if (const double ratio = poisson_ratio(material); ratio > locking_ratio && ratio < 0.5)
     tell(found, "locking", body.name,
          fmt::format("Poisson's ratio of {} is {:.4f}: where it bends it is too stiff, by some per cent in "

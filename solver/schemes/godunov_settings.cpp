@@ -21,7 +21,7 @@ GodunovSettings read_godunov(Section& scheme, Space space) {
   if (settings.strang && space == Space::plane_stress)
     throw scheme.fault("splitting", "the two halves of strang leave a stress across a thin plate", "lie-trotter");
   settings.riemann = read_or_first<Riemann>(scheme, "riemann");
-  if (settings.order == 2) settings.limiter = read_or_first<Limiter>(scheme, "limiter");
+  settings.limiter = read_or_first<Limiter>(scheme, "limiter");
   return settings;
 }
 

@@ -13,10 +13,10 @@ struct GodunovSettings {
   int order = 2;        ///< in space
   bool strang = false;  ///< Strang's splitting, of second order in time; otherwise that of Lie and Trotter
   Riemann riemann;
-  Limiter limiter;  ///< of second order
+  Limiter limiter;  ///< of second order; first order has no slopes, but `order` can be changed alone
 };
 
-/// Reads `order`, `splitting`, `riemann` and, of second order, `limiter` of [scheme].
+/// Reads `order`, `splitting`, `riemann` and `limiter` of [scheme].
 GodunovSettings read_godunov(Section& scheme, Space space);
 
 }  // namespace tektite

@@ -43,19 +43,23 @@ Simulation plates(double apart, double speed) {
 
 }  // namespace
 
-TEST_CASE("Energy debt: superbee makes an elastic bar ring ever louder, minmod does not, and it is told") {
-  const std::string split = "scheme = { type = 'godunov-split', limiter = { model = 'sweby', beta = ";
-  for (const auto& [scheme, grows] : {std::pair<std::string, bool>{split + "2 } }\n", true},
-                                      {split + "1 } }\n", false},
-                                      {"scheme = { type = 'eulerian' }\n", false},
-                                      {"scheme = { type = 'total-lagrangian' }\n", false}}) {
+TEST_CASE("Energy debt: superbee makes an elastic bar ring ever louder, other limiters hardly do, and it is told") {
+  struct Case {
+    std::string scheme;
+    bool grows, told;
+  };
+  const std::string split = "type = 'godunov-split', limiter = { model = ";
+  for (const auto& [scheme, grows, told] :
+       {Case{split + "'sweby', beta = 2 }", true, true}, Case{split + "'van-leer' }", false, true},
+        Case{split + "'sweby', beta = 1 }", false, false}, Case{"type = 'eulerian'", false, false},
+        Case{"type = 'total-lagrangian'", false, false}}) {
     INFO(scheme);
-    auto simulation = ringing_bar(scheme);
+    auto simulation = ringing_bar("scheme = { " + scheme + " }\n");
     const double before = simulation.ledger().kinetic;
     for (int k = 0; k < 12000; ++k) simulation.step();
     CHECK((simulation.ledger().kinetic > 1.5 * before) == grows);
     CHECK(std::abs(simulation.energy_drift(simulation.ledger())) < 1e-2);
-    CHECK(test::said(simulation).contains("energy-debt") == grows);
+    CHECK(test::said(simulation).contains("energy-debt") == told);
   }
 }
 

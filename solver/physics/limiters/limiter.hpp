@@ -11,6 +11,8 @@
 
 namespace tektite {
 
-using Limiter = std::variant<SwebyLimiter, MonotonizedCentralLimiter, VanLeerLimiter>;
+/// The first is what a scene gets that names none: of those that are sharp on shocks it feeds waves that ring the least
+/// (docs/stability.md, `energy-debt`).
+using Limiter = std::variant<VanLeerLimiter, MonotonizedCentralLimiter, SwebyLimiter>;
 
 }  // namespace tektite
