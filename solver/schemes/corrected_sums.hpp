@@ -95,7 +95,7 @@ class CorrectedSums {
   bool corrected_;
   CorrectionSwitch switch_;
   std::optional<ArtificialStress> artificial_;
-  MixedCorrection<Kernel, D> correction_;
+  MixedCorrection<Kernel, D> correction_{least_moment_of_pieces<D>};
   std::vector<CorrectedRecord<D>> records_;
   std::size_t without_ = 0;
 };

@@ -215,7 +215,7 @@ class GodunovSplitScheme final : public GodunovScheme<space, Kernel, Hydrodynami
   GodunovSettings godunov_;
   std::map<const Material*, double> shock_slope_;
   std::vector<DeviatoricRecord<D>> deviatoric_;
-  MixedCorrection<Kernel, D> correction_;
+  MixedCorrection<Kernel, D> correction_{least_moment_of_pieces<D>};
   std::vector<CorrectionRecord<D>> corrections_;
   std::size_t without_ = 0;  ///< particles that go without correction
 };

@@ -33,11 +33,28 @@ inline std::vector<Warning> few_neighbours(std::size_t without, std::size_t coun
                        100.0 * part)}};
 }
 
+/// Least determinants of the moment M with which a particle is corrected. M is near the unit tensor in the midst of a
+/// body, and has 0.47^D at a corner of a lattice, whatever its h.
+///
+/// Of the reference configuration, found once, the correction is wanted up to the tips of cones: all that can be
+/// inverted.
+inline constexpr double least_moment_of_reference = 1e-3;
+/// Of the present configuration only particles that have less than two thirds of a corner, in each direction, go
+/// without: they are torn off, and gradients several times too large, other ones at each search, tear them further
+/// (hvi_2d by `mixed` without the switch C_f ended so, eulerian after 1000 steps and godunov-split after 200).
+template <int D>
+constexpr double least_moment_of_pieces = 0.3 * least_moment_of_pieces<D - 1>;
+template <>
+constexpr double least_moment_of_pieces<0> = 1.0;
+
 template <class Kernel, int D>
 class MixedCorrection {
  public:
+  /// `least_moment` as above.
+  explicit MixedCorrection(double least_moment) : least_moment_(least_moment) {}
+
   /// Corrections of the first `count` records, from each other and from the images behind them; the records begin with
-  /// Correction::none(). A particle with a single neighbour, or whose matrix cannot be inverted, keeps the plain
+  /// Correction::none(). A particle with a single neighbour, or with too small a moment, keeps the plain
   /// gradient and is counted, if `counted` (a byte each, null for all) says so.
   template <class Record>
   std::size_t find(const PairList& pairs, const Mirror<D>& mirror, std::vector<Record>& records, std::size_t count,
@@ -59,7 +76,7 @@ class MixedCorrection {
     const auto finish = [&](std::size_t& without, std::size_t i) {
       auto& correction = records[i].correction;
       const double determinant_of_m = determinant(moment_[i]);
-      if (neighbours_[i] > 1.0 && determinant_of_m > singular) {
+      if (neighbours_[i] > 1.0 && determinant_of_m > least_moment_) {
         const auto c = cofactor(moment_[i]);
         for (int a = 0; a < D; ++a)
           for (int b = 0; b < D; ++b) correction.matrix(a, b) = c(b, a) / determinant_of_m / kernel_[i];
@@ -74,9 +91,7 @@ class MixedCorrection {
   }
 
  private:
-  /// K/S with K = M⁻¹; the moment of a whole neighbourhood is near the unit tensor, so this is far from any of use.
-  static constexpr double singular = 1e-3;
-
+  double least_moment_;
   std::vector<double> kernel_, neighbours_;
   std::vector<Vector<double, D>> gradient_;
   std::vector<Tensor<double, D>> moment_;

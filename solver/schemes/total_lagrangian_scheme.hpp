@@ -158,7 +158,8 @@ class TotalLagrangianScheme final : public Scheme {
     note_kernel_types();
     if constexpr (rings) rings_.find_offsets(neighbours_.pairs(), mirror_, reference_);
     if (settings_.corrected)
-      uncorrected_ = MixedCorrection<Kernel, D>().find(neighbours_.pairs(), mirror_, reference_, count);
+      uncorrected_ =
+          MixedCorrection<Kernel, D>(least_moment_of_reference).find(neighbours_.pairs(), mirror_, reference_, count);
     neighbours_.fill(reference_);
     if (eulerian_)
       drop_pairs();

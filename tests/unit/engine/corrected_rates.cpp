@@ -52,7 +52,7 @@ struct Block {
     grid.build(places, 2.8);
     const std::vector<std::uint32_t> body(count, 0);
     pairs.build<D>(grid, places, count, 2.8, Pairing::all, body);
-    REQUIRE(MixedCorrection<CubicSpline, D>().find(pairs, mirror, records, count) == 0);
+    REQUIRE(MixedCorrection<CubicSpline, D>(least_moment_of_pieces<D>).find(pairs, mirror, records, count) == 0);
   }
 
   template <bool artificial>
@@ -119,27 +119,43 @@ TEST_CASE("Corrected sums: momentum and energy are kept to round-off, also where
   }
 }
 
-TEST_CASE("Mixed correction: a pair alone keeps the plain gradient and is counted") {
-  Mirror<2> mirror{{}};
-  std::vector<Vector<double, 2>> places;
-  std::vector<CorrectedRecord<2>> records(2);
-  for (int i = 0; i < 2; ++i) {
-    records[i].x[0] = i;
-    records[i].x[1] = 0.0;
-    records[i].volume = records[i].smoothing_length = 1.0;
-    records[i].correction = Correction<double, 2>::none();
-    places.push_back(records[i].x);
-  }
-  CellGrid<2> grid;
-  grid.build(places, 2.0);
-  PairList pairs;
-  const std::vector<std::uint32_t> body(2, 0);
-  pairs.build<2>(grid, places, 2, 2.0, Pairing::all, body);
-  CHECK(MixedCorrection<CubicSpline, 2>().find(pairs, mirror, records, 2) == 2);
-  for (const auto& r : records) {
-    CHECK(r.correction.matrix(0, 0) == 1.0);
-    CHECK(r.correction.matrix(0, 1) == 0.0);
-    CHECK(r.correction.shift[0] == 0.0);
+TEST_CASE(
+    "Mixed correction: splinters go without and are counted, the reference configuration has what can be inverted") {
+  // Rows of particles at h = 1, each but the first by `bend` spacings off the line of those before.
+  struct Case {
+    int count;
+    double bend;
+    std::size_t without_of_pieces, without_of_reference;
+  };
+  for (const auto& [count, bend, of_pieces, of_reference] :
+       {Case{2, 0.0, 2, 2}, Case{3, 0.0, 3, 3}, Case{3, 0.3, 3, 0}, Case{3, 1.0, 2, 0}}) {
+    INFO(count << " particles, " << bend);
+    std::vector<Vector<double, 2>> places;
+    std::vector<CorrectedRecord<2>> records(count);
+    for (int i = 0; i < count; ++i) {
+      records[i].x[0] = std::min(i, 1);
+      records[i].x[1] = i > 1 ? bend : 0.0;
+      if (i > 1) records[i].x[0] += 1.0 - bend;
+      records[i].volume = records[i].smoothing_length = 1.0;
+      records[i].correction = Correction<double, 2>::none();
+      places.push_back(records[i].x);
+    }
+    CellGrid<2> grid;
+    grid.build(places, 2.0);
+    PairList pairs;
+    const std::vector<std::uint32_t> body(count, 0);
+    pairs.build<2>(grid, places, count, 2.0, Pairing::all, body);
+    const Mirror<2> mirror{{}};
+    auto reference = records;
+    CHECK(MixedCorrection<CubicSpline, 2>(least_moment_of_reference).find(pairs, mirror, reference, count) ==
+          of_reference);
+    CHECK(MixedCorrection<CubicSpline, 2>(least_moment_of_pieces<2>).find(pairs, mirror, records, count) == of_pieces);
+    if (of_pieces < records.size()) continue;
+    for (const auto& r : records) {
+      CHECK(r.correction.matrix(0, 0) == 1.0);
+      CHECK(r.correction.matrix(0, 1) == 0.0);
+      CHECK(r.correction.shift[0] == 0.0);
+    }
   }
 }
 

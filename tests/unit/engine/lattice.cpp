@@ -99,7 +99,7 @@ class State {
         s.cofactor_shift[k] = random.between(-0.1, 0.1);
       }
     }
-    MixedCorrection<CubicSpline, D>().find(pairs_, mirror_, reference_, count);
+    MixedCorrection<CubicSpline, D>(least_moment_of_reference).find(pairs_, mirror_, reference_, count);
     mirror_.fill(motion_, count);
     mirror_.fill(stress_, count);
     lattices_.fill(reference_);

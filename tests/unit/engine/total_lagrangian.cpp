@@ -57,7 +57,7 @@ class Reference {
     records_.resize(count);
     for (std::size_t i = 0; i < count; ++i)
       records_[i] = {1.0, particles_.vectors<D>(Field::reference_position)[i], 1.4, 1.0, Correction<double, D>::none()};
-    REQUIRE(MixedCorrection<CubicSpline, D>().find(pairs_, mirror_, records_, count) == 0);
+    REQUIRE(MixedCorrection<CubicSpline, D>(least_moment_of_reference).find(pairs_, mirror_, records_, count) == 0);
   }
 
   /// body(F, dF/dt) of every particle.
