@@ -80,6 +80,8 @@ std::string summary(const Runs& runs) {
        }},
       {"energy drift", [](const RunData& r) { return number(r.measurements, "energy_drift", "1"); }},
       {"momentum drift", [](const RunData& r) { return number(r.measurements, "momentum_drift", "1"); }},
+      {"angular momentum drift",
+       [](const RunData& r) { return number(r.measurements, "angular_momentum_drift", "1"); }},
       {"warnings", [](const RunData& r) { return words(r.measurements, "warnings"); }},
       {"version", [](const RunData& r) { return word(r.measurements, "version"); }}};
   std::string table = "<h2>Runs and their cost</h2>\n<table>\n" + run_heads(runs, "<th></th>");

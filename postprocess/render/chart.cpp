@@ -34,11 +34,12 @@ std::string unit_of_column(const std::string& column) {
   if (column.find('.') != std::string::npos) return scalar_field_unit(field_of_column(column));
   if (column.ends_with("_energy") || column.ends_with("_work")) return "J";
   if (column.starts_with("momentum")) return "kg m/s";
+  if (column.starts_with("angular_momentum")) return "kg m2/s";
   return column == "time" || column == "dt" ? "s" : "1";
 }
 
 std::string slice_of(const std::string& si_unit, Space space) {
-  const bool of_all = si_unit == "J" || si_unit == "kg m/s";
+  const bool of_all = si_unit == "J" || si_unit == "kg m/s" || si_unit == "kg m2/s";
   return of_all && is_plane(space) ? " (per metre of thickness)" : "";
 }
 

@@ -76,7 +76,7 @@ Forecast forecast_of(Simulation& simulation, const std::vector<Meeting>& meeting
   const double snapshots = 1.0 + std::ceil(settings.end / settings.snapshot_interval);
   const double shown = packing * bytes_of_fields(particles, true);
   const auto columns =
-      5 + number_columns(particles.dimensions(), Probes(settings.probes, particles).columns(particles)).size();
+      5 + number_columns(particles.space(), Probes(settings.probes, particles).columns(particles)).size();
   const double lines = static_cast<double>(forecast.steps) / static_cast<double>(settings.history_interval);
   forecast.disk_bytes =
       snapshots * (forecast.snapshot_bytes + shown) + characters * lines * static_cast<double>(columns);

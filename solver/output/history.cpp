@@ -54,18 +54,21 @@ void History::write(const Row& row) {
   if (!file_) throw RunError(path_ + ": cannot be written (is the disk full?)");
 }
 
-std::vector<std::string> number_columns(int dimensions, const std::vector<std::string>& probe_columns) {
+std::vector<std::string> number_columns(Space space, const std::vector<std::string>& probe_columns) {
   std::vector<std::string> names{"kinetic_energy", "internal_energy",  "plastic_work", "viscous_work",
                                  "contact_energy", "hourglass_energy", "total_energy"};
-  for (int k = 0; k < dimensions; ++k) names.push_back(fmt::format("momentum_{}", "xyz"[k]));
+  for (int k = 0; k < dimensions_of(space); ++k) names.push_back(fmt::format("momentum_{}", "xyz"[k]));
+  for (const int axis : axes_of_turning(space)) names.push_back(fmt::format("angular_momentum_{}", "xyz"[axis]));
   names.insert(names.end(), probe_columns.begin(), probe_columns.end());
   return names;
 }
 
-std::vector<double> numbers_of(const Ledger& ledger, const std::vector<double>& probes) {
+std::vector<double> numbers_of(const Ledger& ledger, const AngularMomentum& angular_momentum,
+                               const std::vector<double>& probes) {
   std::vector<double> numbers{ledger.kinetic, ledger.internal,  ledger.plastic, ledger.viscous,
                               ledger.contact, ledger.hourglass, ledger.total()};
   numbers.insert(numbers.end(), ledger.momentum.begin(), ledger.momentum.end());
+  numbers.insert(numbers.end(), angular_momentum.components.begin(), angular_momentum.components.end());
   numbers.insert(numbers.end(), probes.begin(), probes.end());
   return numbers;
 }

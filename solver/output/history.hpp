@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/write_beside.hpp"
+#include "run/angular_momentum.hpp"
 #include "schemes/scheme.hpp"
 
 namespace tektite {
@@ -39,8 +40,9 @@ class History {
 };
 
 /// Names of a line's numbers.
-std::vector<std::string> number_columns(int dimensions, const std::vector<std::string>& probe_columns);
+std::vector<std::string> number_columns(Space space, const std::vector<std::string>& probe_columns);
 /// A line's numbers.
-std::vector<double> numbers_of(const Ledger& ledger, const std::vector<double>& probes);
+std::vector<double> numbers_of(const Ledger& ledger, const AngularMomentum& angular_momentum,
+                               const std::vector<double>& probes);
 
 }  // namespace tektite

@@ -36,12 +36,13 @@ struct RunSummary {
   std::size_t peak_memory_bytes = 0;
   std::size_t bytes_per_particle = 0;  ///< fields, lists and records
   double energy_drift = 0.0, momentum_drift = 0.0;
+  std::optional<double> angular_momentum_drift;  ///< where nothing outside of the scene takes it up
   bool interrupted = false;
   std::string stopped_by;          ///< the condition that ended the run before its time; may be empty
   std::set<std::string> warnings;  ///< names of what was found wrong on the way
 };
 
-/// `warnings` as a Watch has told them; that of the drift is added where it matters.
+/// `warnings` as a Watch has told them; those of the drifts are added where they matter.
 RunSummary summarise(const Simulation& simulation, const RunTimer& timer, bool interrupted,
                      std::set<std::string> warnings);
 void write_summary(const RunSummary& summary, const std::string& path);

@@ -76,7 +76,7 @@ class Run {
         simulation_(simulation),
         log_(open_log(folder_ / "run.log", origin.snapshot)),
         probes_(make_probes()),
-        columns_(number_columns(simulation_.particles().dimensions(), probes_.columns(simulation_.particles()))),
+        columns_(number_columns(simulation_.particles().space(), probes_.columns(simulation_.particles()))),
         stops_(make_stops()),
         history_(make_history()) {
     log_->info("tektite {} on {}, {} threads: {} from {}", version, host(), threads_in_use(),
@@ -183,7 +183,7 @@ class Run {
     simulation_.note(ledger_);
     const auto& particles = simulation_.particles();
     const bool first = simulation_.steps() == 0;
-    const auto numbers = numbers_of(ledger_, probes_.values(particles));
+    const auto numbers = numbers_of(ledger_, angular_momentum_of(particles), probes_.values(particles));
     history_.write({simulation_.steps(), simulation_.time(), first ? 0.0 : last.dt,
                     first ? "start" : name_of(last.reason), simulation_.limiting_particle(), numbers});
     if (event_has_begun()) stops_.look(simulation_.time(), particles, numbers);
@@ -234,7 +234,7 @@ RunSettings settings_of(const Snapshot& snapshot, const std::string& file, Docum
     const auto& particles = snapshot.particles;
     check_probes(document, settings, particles);
     const auto probe_columns = Probes(settings.probes, particles).columns(particles);
-    check_stop_conditions(document, settings.stops, particles, number_columns(particles.dimensions(), probe_columns));
+    check_stop_conditions(document, settings.stops, particles, number_columns(particles.space(), probe_columns));
   }
   return settings;
 }

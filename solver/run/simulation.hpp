@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/snapshot.hpp"
+#include "run/angular_momentum.hpp"
 #include "run/run_settings.hpp"
 #include "schemes/scheme.hpp"
 
@@ -35,6 +36,9 @@ class Simulation {
   double energy_drift(const Ledger& now) const;
   /// Over √(2 m E_kin) at the start, along the axes that neither a symmetry plane nor the anvil lies across.
   double momentum_drift(const Ledger& now) const;
+  /// Over what it would be if all turned one way, now or at the start; about the axes about which neither symmetry
+  /// planes nor the anvil turn anything. None where no such axis is left, or particles are clamped.
+  std::optional<double> angular_momentum_drift(const AngularMomentum& now) const;
 
   const Particles& particles() const { return snapshot_.particles; }
   const RunSettings& settings() const { return settings_; }
@@ -72,6 +76,7 @@ class Simulation {
   double largest_energy_ = 0.0;  ///< at play, of the lines so far
   double momentum_scale_ = 0.0;
   std::vector<double> initial_momentum_;
+  AngularMomentum initial_angular_momentum_;
 };
 
 }  // namespace tektite

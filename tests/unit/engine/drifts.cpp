@@ -1,4 +1,6 @@
 // What a run says of energy, momentum and time step while it goes on.
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -88,6 +90,59 @@ TEST_CASE("Drift: the momentum that an anvil takes up is none that the scheme ha
   const auto now = simulation.ledger();
   REQUIRE(std::abs(now.momentum[0] - before) > 0.1 * std::abs(before));
   CHECK(simulation.momentum_drift(now) < 1e-12);
+}
+
+TEST_CASE("Drift: the angular momentum of what spins is told, whatever moves the observer", "[drift]") {
+  const double d = 1e-3, spin = 2e4;  // m, rad/s
+  for (const double speed : {0.0, 1000.0})
+    for (const auto& [correction, kept] : {std::pair{"mixed", true}, {"none", false}}) {
+      INFO(speed << " m/s, " << correction);
+      auto particles =
+          test::particles_on(Space::plane_strain, {{"block", "metal", d, {0.1, 0.2}, {16, 16}, {0.0, 0.0}}}, 2785.0);
+      for (std::size_t i = 0; i < particles.count(); ++i) {
+        const auto x = particles.reals(Field::position).subspan(2 * i, 2);
+        const auto v = particles.reals(Field::velocity).subspan(2 * i, 2);
+        v[0] = speed - spin * (x[1] - 0.2 - 7.5 * d);
+        v[1] = spin * (x[0] - 0.1 - 7.5 * d);
+      }
+      auto simulation = test::simulation_of(
+          fmt::format("scheme = {{ type = 'eulerian', correction = '{}' }}\nviscosity = {{ alpha = 0.0, beta = 0.0 }}\n"
+                      "time.end = 1.0\n[material.metal]\ndensity = 2785.0\n"
+                      "eos = {{ model = 'linear', bulk_modulus = '79 GPa' }}\n"
+                      "strength = {{ model = 'elastic', shear_modulus = '27.6 GPa' }}\n",
+                      correction),
+          std::move(particles));
+      const auto before = angular_momentum_of(simulation.particles());
+      REQUIRE(before.components.size() == 1);
+      // A square of n x n particles: Σ m r² = N m d² (n² - 1)/6, all of which turns.
+      CHECK(before.components[0] == Approx(256 * 2785.0 * d * d * d * d * 255.0 / 6.0 * spin).epsilon(1e-9));
+      CHECK(before.largest == Approx(before.components[0]).epsilon(1e-9));
+      test::take_steps(simulation, 100);
+      const auto drift = simulation.angular_momentum_drift(angular_momentum_of(simulation.particles()));
+      REQUIRE(drift.has_value());
+      CHECK((*drift < 1e-10) == kept);
+      auto resumed = resumed_from(simulation);
+      CHECK(resumed.angular_momentum_drift(angular_momentum_of(resumed.particles())) == drift);
+    }
+}
+
+TEST_CASE("Drift: there is none of the angular momentum where planes or clamps turn what moves", "[drift]") {
+  const double d = test::impact_spacing;
+  const auto drift_of = [&](Space space, const std::string& more, bool clamped) {
+    auto particles = test::impact_particles(space);
+    if (clamped) {
+      particles.allocate(Field::clamped);
+      particles.integers(Field::clamped)[0] = 1;
+    }
+    auto simulation = test::simulation_of(more + test::impact_scene, std::move(particles));
+    return simulation.angular_momentum_drift(angular_momentum_of(simulation.particles()));
+  };
+  CHECK(drift_of(Space::plane_strain, "", false).has_value());
+  CHECK_FALSE(drift_of(Space::plane_strain, "", true).has_value());
+  CHECK_FALSE(
+      drift_of(Space::plane_strain, fmt::format("symmetry.middle = {{ axis = 'y', at = {} }}\n", -20.0 * d), false));
+  CHECK(drift_of(Space::solid, fmt::format("symmetry.middle = {{ axis = 'y', at = {} }}\n", -20.0 * d), false));
+  CHECK_FALSE(drift_of(Space::line, "", false));
 }
 
 TEST_CASE("Time step: the particle that set it is named by its id, also where the step has put it elsewhere") {
