@@ -18,13 +18,15 @@ enum class Extreme { least, largest };
 Measured extreme(const Snapshot& snapshot, const Whole& whole, const std::string& body_name, Field field,
                  Extreme which) {
   const auto& particles = snapshot.particles;
-  if (!particles.has(field)) throw RunError(fmt::format("the snapshot has no {}", info(field).name));
+  require_field(particles, field);
   const auto values = particles.reals(field).first(particles.count());
   const auto& body = whole.bodies[static_cast<std::size_t>(whole.body_named(body_name))];
   const auto first = values.begin() + static_cast<std::ptrdiff_t>(body.range.begin);
   const auto last = values.begin() + static_cast<std::ptrdiff_t>(body.range.end);
   const auto found = which == Extreme::largest ? std::max_element(first, last) : std::min_element(first, last);
   const auto at = static_cast<std::size_t>(found - values.begin());
+  if (field == Field::temperature && *found <= 0.0)  // kept beside a body that heats
+    throw RunError(fmt::format("the strength of {} does not heat, so it has no temperature", body_name));
   double sum = 0.0;
   std::size_t count = 0;
   for (auto i = body.range.begin; i < body.range.end; ++i) {

@@ -59,8 +59,8 @@ double jump_ratio(const Sides& sides, const std::vector<bool>& zone, double reac
 
 Sides sides_of(const Event& event, const std::string& name) {
   const auto& particles = event.last_snapshot.particles;
-  if (!particles.has(Field::kernel_type) || !particles.has(Field::pressure))
-    throw RunError("the last snapshot has no kernel_type or no pressure");
+  require_field(particles, Field::kernel_type);
+  require_field(particles, Field::pressure);
   Sides sides{event.last, event.last.body_named(name), {}, {}};
   for (const auto source : event.last.source) {
     sides.pressure.push_back(particles.reals(Field::pressure)[source]);

@@ -71,6 +71,10 @@ struct NamedMeasure {
 /// Reads the tables [measure.NAME]; an unknown kind, body or probe is answered with the known ones.
 std::vector<NamedMeasure> read_measures(Section& root, const Declared& declared);
 
+/// Throws RunError where a snapshot does not have what a measure is taken of: the initial state has neither pressure
+/// nor stress, and no run has the damage of material that cannot fail.
+void require_field(const Particles& particles, Field field);
+
 /// The key `body` of a measure (or another key that names one).
 std::string read_body(Section& section, const std::string& key, const Declared& declared);
 

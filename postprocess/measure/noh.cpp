@@ -94,6 +94,7 @@ Field field_of(Profile what) {
 template <class Work>
 void for_profile(const Event& event, const NohRun& run, Field field, const Work& work) {
   const auto& particles = event.last_snapshot.particles;
+  require_field(particles, field);
   const auto& body = event.last.bodies[static_cast<std::size_t>(event.last.body_named(run.body))];
   const auto x = particles.reals(Field::position), value = particles.reals(field);
   for (auto i = body.range.begin; i < body.range.end; ++i) work(x[i], value[i]);

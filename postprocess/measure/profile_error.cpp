@@ -23,6 +23,7 @@ Dimension dimension_of(const std::string& profile) {
 std::vector<double> values_of(const Particles& particles, const std::string& profile) {
   std::vector<double> values(particles.count());
   const auto copy = [&](Field field) {
+    require_field(particles, field);
     std::ranges::copy(particles.reals(field).first(values.size()), values.begin());
   };
   if (profile == "velocity") copy(Field::velocity);
@@ -30,6 +31,7 @@ std::vector<double> values_of(const Particles& particles, const std::string& pro
   if (profile == "specific_internal_energy") copy(Field::specific_internal_energy);
   if (profile == "stress") {
     copy(Field::pressure);
+    require_field(particles, Field::deviatoric_stress);
     const auto* s = particles.symmetrics<1>(Field::deviatoric_stress);
     for (std::size_t i = 0; i < values.size(); ++i) values[i] -= s[i](0, 0);
   }

@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+
+#include "core/error.hpp"
 #include "core/plain_name.hpp"
 #include "postprocess/measure/measure.hpp"
 
@@ -29,6 +32,10 @@ std::vector<NamedMeasure> read_measures(Section& root, const Declared& declared)
     section.finish();
   }
   return measures;
+}
+
+void require_field(const Particles& particles, Field field) {
+  if (!particles.has(field)) throw RunError(fmt::format("the snapshot has no {}", info(field).name));
 }
 
 std::string read_body(Section& section, const std::string& key, const Declared& declared) {

@@ -18,7 +18,7 @@ Measure read_damaged_area(Section& section, const Declared& declared) {
   const auto name = read_body(section, "body", declared);
   return [=](const Event& event) {
     const auto& particles = event.last_snapshot.particles;
-    if (!particles.has(Field::damage)) throw RunError("the last snapshot has no damage");
+    require_field(particles, Field::damage);
     const auto damage = particles.reals(Field::damage), density = particles.reals(Field::density);
     const auto thickness = [&](std::size_t i) {  // of a sheet, over that at the start
       return particles.has(Field::thickness) ? particles.reals(Field::thickness)[i] : 1.0;

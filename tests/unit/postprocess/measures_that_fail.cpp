@@ -40,7 +40,33 @@ TEST_CASE("Measures that fail: a field that the run does not have") {
   CHECK_THROWS_WITH(take("[measure.max_temperature]\nbody = 'body'\n", Space::plane_strain, event),
                     Contains("the snapshot has no temperature"));
   CHECK_THROWS_WITH(take("[measure.damaged_area]\nbody = 'body'\n", Space::plane_strain, event),
-                    Contains("the last snapshot has no damage"));
+                    Contains("the snapshot has no damage"));
+}
+
+TEST_CASE("Measures that fail: the initial state, which has no pressure, stress or energy") {
+  auto event = row(Space::line, 1.0, -1.0);
+  for (const auto field : {Field::pressure, Field::plastic_strain, Field::sound_speed})
+    event.last_snapshot.particles.release(field);
+  const TemporaryFolder folder;
+  event.snapshots = {folder.file("000000.h5")};
+  write_snapshot(event.last_snapshot, event.snapshots.front());
+  const std::string gas = "body = 'body'\nfrom = 0\nto = 1\n", exact = "exact = [[0, 1], [1, 2]]\n";
+  CHECK_THROWS_WITH(take("[measure.error_l1_pressure]\n" + gas, Space::line, event), Contains("no pressure"));
+  CHECK_THROWS_WITH(take("[measure.wall_heating]\n" + gas, Space::line, event),
+                    Contains("no specific_internal_energy"));
+  CHECK_THROWS_WITH(take("[measure.error_l1]\nprofile = 'stress'\n" + exact, Space::line, event),
+                    Contains("no pressure"));
+  event.last_snapshot.particles.allocate(Field::pressure);
+  CHECK_THROWS_WITH(take("[measure.error_l1]\nprofile = 'stress'\n" + exact, Space::line, event),
+                    Contains("no deviatoric_stress"));
+  CHECK_THROWS_WITH(take("[measure.interface_jump]\nbody = 'body'\n", Space::line, event), Contains("no kernel_type"));
+}
+
+TEST_CASE("Measures that fail: the temperature of a body that does not heat, beside one that does") {
+  auto event = row(Space::plane_strain, 1.0, 0.0);
+  event.last_snapshot.particles.allocate(Field::temperature);
+  CHECK_THROWS_WITH(take("[measure.max_temperature]\nbody = 'body'\n", Space::plane_strain, event),
+                    Contains("the strength of body does not heat"));
 }
 
 TEST_CASE("Measures that fail: a ring that has closed") {
