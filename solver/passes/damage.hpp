@@ -24,7 +24,7 @@ struct AdvanceDamage {
       if (model.fails_under(pressure[i])) damage[i] = 1.0;
     }
     if (plastic_increment[i] <= 0.0) return;
-    DamageState state{-pressure[i] / von_mises(stress[i]), plastic_increment[i] / step, 0.0, pressure[i]};
+    DamageState state{triaxiality(pressure[i], von_mises(stress[i])), plastic_increment[i] / step, 0.0, pressure[i]};
     if constexpr (requires { model.room_temperature; })
       state.temperature = temperature ? temperature[i] : model.room_temperature;
     const double strain = model.failure_strain(state);

@@ -13,7 +13,7 @@ namespace tektite {
 
 inline double exponential(double x) { return std::exp(x); }
 inline double logarithm(double x) { return std::log(x); }
-/// x^n for x ≥ 0 and n > 0.
+/// x^n for x ≥ 0 and n ≥ 0; 0^0 is 1.
 inline double power(double x, double n) { return std::pow(x, n); }
 
 /// As many whole numbers of 64 bits as a T has lanes.
@@ -62,12 +62,12 @@ T logarithm(const T& x) {
   return k * T(ln2_high) + (twice + (twice * square * series + k * T(ln2_low)));
 }
 
-/// x^n for x ≥ 0 and n > 0, within 1 + |n ln x| times 4e-16 of it; zero below 1e-300.
+/// x^n for x ≥ 0 and n ≥ 0, within 1 + |n ln x| times 4e-16 of it; below 1e-300 as for zero, of which 0^0 is 1.
 template <class T>
 T power(const T& x, double n) {
   constexpr double least = 1e-300, lowest = -690.0;
   const T result = exponential(larger(T(n) * logarithm(larger(x, T(least))), T(lowest)));
-  return select(x > T(least), result, T(0.0));
+  return select(x > T(least), result, T(n == 0.0 ? 1.0 : 0.0));
 }
 
 }  // namespace tektite

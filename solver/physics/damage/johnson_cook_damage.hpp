@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -41,10 +42,10 @@ struct JohnsonCookDamage {
   double failure_strain(const DamageState& state) const {
     const double rate = state.plastic_strain_rate / reference_rate;
     const double warmth = (state.temperature - room_temperature) / (melting_temperature - room_temperature);
-    return (d1 + d2 * std::exp(d3 * state.triaxiality)) * (rate > 1.0 ? 1.0 + d4 * std::log(rate) : 1.0) *
-           (1.0 + d5 * (warmth < 0.0   ? 0.0
-                        : warmth > 1.0 ? 1.0
-                                       : warmth));
+    constexpr double most = 500.0;  // an exponent beyond is no failure strain any more, but an overflow
+    const double by_triaxiality = std::exp(std::clamp(d3 * state.triaxiality, -most, most));
+    return (d1 + d2 * by_triaxiality) * (rate > 1.0 ? 1.0 + d4 * std::log(rate) : 1.0) *
+           (1.0 + d5 * std::clamp(warmth, 0.0, 1.0));
   }
 };
 

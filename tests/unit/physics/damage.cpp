@@ -45,6 +45,22 @@ TEST_CASE("Johnson-Cook damage: tension hastens it where D3 is negative", "[dama
   CHECK(damage_after(model, 1, 0.01, 0.0) > damage_after(model, 1, 0.01, 1e6));
 }
 
+TEST_CASE("Johnson-Cook damage: what has lost its strength fails by its strain all the same", "[damage]") {
+  const Symmetric<double, 3> molten = Symmetric<double, 3>::zero();
+  const double pressure = GENERATE(-1e9, 0.0, 1e9), increment = 0.01;
+  INFO(pressure);
+  const auto after_a_step = [&](const std::string& keys) {
+    double damage = 0.0;
+    const auto model = test::model_from<Damage, JohnsonCookDamage>(keys);
+    AdvanceDamage<JohnsonCookDamage, 3>{model, &increment, &pressure, &molten, nullptr, dt, &damage}(0);
+    return damage;
+  };
+  CHECK(after_a_step("d1 = 0.45") == Approx(0.01 / 0.45).epsilon(1e-12));
+  CHECK(after_a_step("d1 = 0.45\nd3 = -1.5") == Approx(0.01 / 0.45).epsilon(1e-12));
+  const double most = pressure < 0.0 ? 0.01 / 0.1 : pressure == 0.0 ? 0.01 / 1.1 : 0.0;
+  CHECK(after_a_step("d1 = 0.1\nd2 = 1.0\nd3 = -1.5") == Approx(most).margin(1e-100).epsilon(1e-12));
+}
+
 TEST_CASE("Damage: without plastic strain there is none, and it never falls", "[damage]") {
   test::for_each_sample<Damage>([](const auto& model) {
     if constexpr (!std::is_same_v<std::decay_t<decltype(model)>, NoDamage>) {

@@ -58,6 +58,7 @@ TEST_CASE("Packs: their powers are those of each lane", "[pack]") {
       }
     }
   CHECK(power(WidePack(0.0), 0.41)[0] == 0.0);
+  CHECK(power(WidePack(0.0), 0.0)[0] == power(0.0, 0.0));
   CHECK(power(WidePack(1.0), 0.41)[0] == 1.0);
 }
 
