@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "parallel/for_each.hpp"
+
 namespace tektite {
 namespace {
 
@@ -75,8 +77,7 @@ void CellGrid<D>::build(std::span<const Vector<double, D>> positions, double sid
   }
 
   std::vector<std::uint32_t> cell(positions.size());
-#pragma omp parallel for schedule(static)
-  for (std::size_t i = 0; i < positions.size(); ++i) cell[i] = static_cast<std::uint32_t>(cell_of(positions[i]));
+  for_each(positions.size(), [&](std::size_t i) { cell[i] = static_cast<std::uint32_t>(cell_of(positions[i])); });
   first_.assign(static_cast<std::size_t>(total) + 1, 0);
   for (const auto c : cell) ++first_[c + 1];
   for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];

@@ -119,8 +119,7 @@ void PairList::build(const CellGrid<D>& grid, std::span<const Vector<double, D>>
                      std::span<const std::uint8_t> listed) {
   const Places<D> places(grid, positions, body);
   blocks_.resize((count + block_size - 1) / block_size);
-#pragma omp parallel for schedule(dynamic, 1)
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+  for_each_uneven(blocks_.size(), [&](std::size_t b) {
     auto& block = blocks_[b];
     block.begin = b * block_size;
     const auto end = std::min(count, (b + 1) * block_size);
@@ -135,7 +134,7 @@ void PairList::build(const CellGrid<D>& grid, std::span<const Vector<double, D>>
         build_block<D, Pairing::across_bodies>(block, end, grid, positions, places, reach, body, listed);
         break;
     }
-  }
+  });
 }
 
 std::size_t PairList::memory() const {

@@ -1,6 +1,6 @@
 #pragma once
-// The loops over particles. This room alone knows threads; the bodies are small functors with views by value. A body
-// writes only to its own particle, so the answer is the same for any number of threads.
+// The loops over particles. Of the engine this room alone knows threads; the bodies are small functors with views by
+// value. A body writes only to its own particle, so the answer is the same for any number of threads.
 
 #include <algorithm>
 #include <cstddef>
@@ -28,6 +28,13 @@ template <class Body>
 template <class Body>
 void for_each(std::size_t count, const Body& body) {
 #pragma omp parallel for schedule(static)
+  for (std::size_t i = 0; i < count; ++i) body(i);
+}
+
+/// The same where some take longer than others: a thread that is done takes the next one.
+template <class Body>
+void for_each_uneven(std::size_t count, const Body& body) {
+#pragma omp parallel for schedule(dynamic, 1)
   for (std::size_t i = 0; i < count; ++i) body(i);
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/pack.hpp"
 #include "neighbours/lattice.hpp"
+#include "parallel/for_each.hpp"
 
 namespace tektite {
 
@@ -41,9 +42,10 @@ void for_each_on_lattice(const Lattice<D>& lattice, const Rows& rows, std::span<
                          const Pass& pass, std::size_t count) {
   constexpr std::size_t chunk = 64;
   const auto packs = lattice.packs();
-#pragma omp parallel for schedule(dynamic, 1)
-  for (std::size_t first = 0; first < packs.size(); first += chunk)
+  for_each_uneven((packs.size() + chunk - 1) / chunk, [&](std::size_t k) {
+    const auto first = k * chunk;
     gather_packs(lattice, rows, packs.subspan(first, std::min(chunk, packs.size() - first)), pairs, pass, count);
+  });
 }
 
 }  // namespace tektite

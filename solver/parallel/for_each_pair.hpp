@@ -6,6 +6,7 @@
 
 #include "core/pack.hpp"
 #include "neighbours/pair_list.hpp"
+#include "parallel/for_each.hpp"
 
 namespace tektite {
 
@@ -27,8 +28,7 @@ template <class Pass>
 /// and so adds nothing to any sum over gradients.
 template <class Pass>
 void for_each_pair(const PairList& list, const Pass& pass) {
-#pragma omp parallel for schedule(dynamic, 1)
-  for (std::size_t b = 0; b < list.blocks().size(); ++b) gather_block(list.blocks()[b], pass);
+  for_each_uneven(list.blocks().size(), [&](std::size_t b) { gather_block(list.blocks()[b], pass); });
 }
 
 }  // namespace tektite

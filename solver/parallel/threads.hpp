@@ -21,4 +21,11 @@ void use_threads(int wanted, std::size_t particles);
 
 int threads_in_use();
 
+/// work() once on every thread that computes.
+template <class Work>
+void on_every_thread(const Work& work) {
+#pragma omp parallel
+  work();
+}
+
 }  // namespace tektite

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/program.hpp"
+#include "parallel/threads.hpp"
 
 namespace tektite {
 namespace {
@@ -38,11 +39,10 @@ void trap_floating_point() {
   action.sa_sigaction = tell_and_end;
   action.sa_flags = SA_SIGINFO;
   sigaction(SIGFPE, &action, nullptr);
-#pragma omp parallel
-  {
+  on_every_thread([] {
     ::feclearexcept(FE_ALL_EXCEPT);  // of what has been computed before
     ::feenableexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW);
-  }
+  });
 }
 
 }  // namespace tektite

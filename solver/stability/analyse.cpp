@@ -9,6 +9,7 @@
 
 #include "core/stability_study.hpp"
 #include "core/write_beside.hpp"
+#include "parallel/for_each.hpp"
 #include "parallel/threads.hpp"
 #include "stability/amplification.hpp"
 #include "stability/largest_step.hpp"
@@ -50,14 +51,13 @@ Subject read_subject(const StabilityLine& line) {
 std::string rows(std::size_t count, const std::function<std::string(std::size_t)>& row,
                  const std::function<std::string(std::size_t)>& missing) {
   std::vector<std::string> done(count), faults(count);
-#pragma omp parallel for schedule(dynamic)
-  for (std::size_t k = 0; k < count; ++k) {
+  for_each_uneven(count, [&](std::size_t k) {
     try {
       done[k] = row(k);
     } catch (const std::exception& fault) {
       faults[k] = fault.what();
     }
-  }
+  });
   std::string text;
   for (std::size_t k = 0; k < count; ++k) {
     if (!faults[k].empty()) fmt::print("  no answer for {}: {}\n", missing(k), faults[k]);

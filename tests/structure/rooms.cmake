@@ -3,6 +3,7 @@
 #   SEES_<room>      what its #include "..." may begin with
 #   TARGETS_<room>   its targets
 #   LINKS_<room>     the targets of this project that these may link
+#   THREADS          the only folder of the engine that knows threads
 #   FOREIGN_<room>   the libraries that only this room may include and link, as regular expressions
 set(ROOMS core physics engine front preprocess postprocess)
 
@@ -21,6 +22,7 @@ list(TRANSFORM ENGINE PREPEND solver/ OUTPUT_VARIABLE FOLDERS_engine)
 list(TRANSFORM ENGINE APPEND / OUTPUT_VARIABLE SEES_engine)
 list(APPEND FOLDERS_engine solver)
 list(APPEND SEES_engine core/ physics/)
+set(THREADS solver/parallel)  # where alone of the engine loops are handed to threads
 set(TARGETS_engine tektite_engine tektite-solve)
 set(LINKS_engine tektite_core tektite_physics tektite_engine tektite_options)
 

@@ -1,0 +1,6 @@
+#pragma once
+inline void broken() {
+#pragma omp parallel
+  {
+  }
+}
