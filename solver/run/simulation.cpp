@@ -22,6 +22,11 @@ constexpr double next_to_nothing = 1e-3;
 /// A run whose time step has fallen to this part of its first one does not come to an end any more.
 constexpr double collapse = 1e-6;
 
+bool any_clamped(const Particles& particles) {
+  return particles.has(Field::clamped) &&
+         std::ranges::any_of(particles.integers(Field::clamped), [](std::int64_t clamped) { return clamped != 0; });
+}
+
 }  // namespace
 
 Simulation::Simulation(Snapshot snapshot, RunSettings settings, bool resumed)
@@ -141,11 +146,11 @@ double Simulation::energy_drift(const Ledger& now) const {
 void Simulation::note(const Ledger& line) { largest_energy_ = std::max(largest_energy_, line.at_play()); }
 
 double Simulation::momentum_drift(const Ledger& now) const {
+  if (any_clamped(particles())) return 0.0;
   double square = 0.0;
   for (std::size_t k = 0; k < initial_momentum_.size(); ++k) {
     const auto across = [axis = static_cast<int>(k)](const SymmetryPlane& plane) { return plane.axis == axis; };
     const auto& anvil = settings_.scheme.anvil;
-    // symmetry planes and the anvil take up momentum across them
     if (std::ranges::any_of(settings_.scene.symmetry, across) || (anvil && across(*anvil))) continue;
     const double change = now.momentum[k] - initial_momentum_[k];
     square += change * change;
@@ -154,14 +159,11 @@ double Simulation::momentum_drift(const Ledger& now) const {
 }
 
 std::optional<double> Simulation::angular_momentum_drift(const AngularMomentum& now) const {
-  const auto& particles = snapshot_.particles;
-  if (particles.has(Field::clamped) &&
-      std::ranges::any_of(particles.integers(Field::clamped), [](auto clamped) { return clamped != 0; }))
-    return std::nullopt;
+  if (any_clamped(particles())) return std::nullopt;
   auto planes = settings_.scene.symmetry;
   if (settings_.scheme.anvil) planes.push_back(*settings_.scheme.anvil);
   const auto& before = initial_angular_momentum_;
-  const auto axes = axes_of_turning(particles.space());
+  const auto axes = axes_of_turning(particles().space());
   std::optional<double> square;
   for (std::size_t k = 0; k < axes.size(); ++k) {
     const auto across = [axis = axes[k]](const SymmetryPlane& plane) { return plane.axis == axis; };

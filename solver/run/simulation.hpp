@@ -34,7 +34,8 @@ class Simulation {
   std::optional<double> contact_time() const { return contact_time_; }
   /// (E - E0)/E0; where E0 is next to nothing, over the largest energy that was at play in any line of the history.
   double energy_drift(const Ledger& now) const;
-  /// Over √(2 m E_kin) at the start, along the axes that neither a symmetry plane nor the anvil lies across.
+  /// Over √(2 m E_kin) at the start, along the axes that neither a symmetry plane nor the anvil lies across: these take
+  /// up momentum, as clamped particles do along all axes. Zero where no axis is left.
   double momentum_drift(const Ledger& now) const;
   /// Over what it would be if all turned one way, now or at the start; about the axes about which neither symmetry
   /// planes nor the anvil turn anything. None where no such axis is left, or particles are clamped.

@@ -145,6 +145,21 @@ TEST_CASE("Drift: there is none of the angular momentum where planes or clamps t
   CHECK_FALSE(drift_of(Space::line, "", false));
 }
 
+TEST_CASE("Drift: the momentum that clamped particles take up is none that the scheme has lost", "[drift]") {
+  auto particles = test::impact_particles(Space::plane_strain);
+  particles.allocate(Field::clamped);
+  auto simulation = test::simulation_of(test::impact_scene, particles);
+  CHECK(simulation.momentum_drift({0.0, 0.0, 0.0, 0.0, 0.0, {1e3, 0.0}}) > 0.0);  // nobody is clamped yet
+  const auto& target = particles.bodies().back();
+  particles.integers(Field::clamped)[target.range.end - 1] = 1;
+  auto held = test::simulation_of(test::impact_scene, particles);
+  const double before = held.ledger().momentum[0];
+  test::take_steps(held, 100);
+  const auto now = held.ledger();
+  REQUIRE(std::abs(now.momentum[0] - before) > 1e-6 * std::abs(before));
+  CHECK(held.momentum_drift(now) == 0.0);
+}
+
 TEST_CASE("Time step: the particle that set it is named by its id, also where the step has put it elsewhere") {
   auto simulation = test::simulation_of(test::impact_scene, test::impact_particles(Space::plane_strain));
   int moved = 0;
