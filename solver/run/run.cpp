@@ -78,6 +78,7 @@ class Run {
         probes_(make_probes()),
         columns_(number_columns(simulation_.particles().space(), probes_.columns(simulation_.particles()))),
         stops_(make_stops()),
+        watch_(resumed_ ? Watch(simulation_.save({}).state) : Watch()),
         history_(make_history()) {
     log_->info("tektite {} on {}, {} threads: {} from {}", version, host(), threads_in_use(),
                resumed_ ? "resumed" : "started", origin.file);
@@ -88,8 +89,8 @@ class Run {
     if (!resumed_) {
       for (const auto& line : probes_.in_words(particles)) log_->info("  {}", line);
       write_history();
-      write_snapshot();
       if (const auto warning = contact_at_start(simulation_)) tell(watch_.note({*warning}));
+      write_snapshot();
     } else {
       last_snapshot_ = origin.file;
       ledger_ = simulation_.ledger();  // what progress shows before the next line
@@ -103,8 +104,8 @@ class Run {
       write_history();
       show_progress();
       if (snapshot_due() || over()) {
+        look();  // before the snapshot, which keeps what has been told
         write_snapshot();
-        look();
       }
     }
     progress_.clear();
@@ -160,6 +161,7 @@ class Run {
     std::map<std::string, double> state;
     probes_.save(state);
     stops_.save(state);
+    watch_.save(state);
     history_.bring_to_disk();  // it must reach as far as the snapshot
     const auto path = snapshot_path(folder_, simulation_.steps());
     tektite::write_snapshot(simulation_.save(state), path);
@@ -172,7 +174,8 @@ class Run {
 
   void look() { tell(watch_.look(simulation_.particles(), simulation_.settings(), simulation_.scheme().warnings())); }
 
-  void tell(const std::vector<Warning>& warnings) const {
+  void tell(const std::vector<Warning>& warnings) {
+    if (!warnings.empty()) progress_.clear();
     for (const auto& warning : warnings) log_->warn("warning: {}: {}", warning.name, warning.text);
   }
 
@@ -214,9 +217,9 @@ class Run {
   Probes probes_;
   std::vector<std::string> columns_;  ///< of a line's numbers
   StopConditions stops_;
+  Watch watch_;
   History history_;
   Progress progress_;
-  Watch watch_;
   Ledger ledger_;
   std::string last_snapshot_;  ///< that is whole
   std::string stopgap_;        ///< written because a run was interrupted: an unbroken run has none

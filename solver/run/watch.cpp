@@ -32,11 +32,28 @@ std::string_view other_remedy_for_clumps(const SchemeSettings& scheme, int dimen
   return scheme.artificial_stress ? " or a larger scheme.artificial_stress.epsilon" : " or scheme.artificial_stress";
 }
 
+/// Under which a snapshot keeps what has been told, as `warning.NAME` or `warning.NAME.BODY`.
+constexpr std::string_view prefix = "warning.";
+
 }  // namespace
 
+Watch::Watch(const std::map<std::string, double>& state) {
+  for (const auto& [key, value] : state)
+    if (key.starts_with(prefix)) told_.insert(key.substr(prefix.size()));
+}
+
+void Watch::save(std::map<std::string, double>& state) const {
+  for (const auto& told : told_) state[std::string(prefix) + told] = 1.0;
+}
+
+std::set<std::string> Watch::names() const {
+  std::set<std::string> names;
+  for (const auto& told : told_) names.insert(told.substr(0, told.find('.')));
+  return names;
+}
+
 void Watch::tell(std::vector<Warning>& found, const std::string& name, const std::string& body, std::string text) {
-  names_.insert(name);
-  if (told_.insert(name + ' ' + body).second) found.push_back({name, std::move(text)});
+  if (told_.insert(body.empty() ? name : name + '.' + body).second) found.push_back({name, std::move(text)});
 }
 
 void Watch::look_at(const Particles& particles, const Body& body, const RunSettings& settings,

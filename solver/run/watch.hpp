@@ -2,6 +2,7 @@
 // Looks at the particles of a run for what its scheme cannot tell of itself, so that a failure has a name and no number
 // is given in silence.
 
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -35,6 +36,11 @@ inline constexpr double notable_debt = 0.05;
 
 class Watch {
  public:
+  Watch() = default;
+  /// Of a run that is resumed: `state` is what save() put there, so that what was told before is known.
+  explicit Watch(const std::map<std::string, double>& state);
+  void save(std::map<std::string, double>& state) const;
+
   /// What is found now, or known by the scheme, and has not been told yet. Names of what is found:
   ///   clumping          Eulerian particles of a body that is no gas lie in clumps: the tensile instability
   ///   interpenetration  bodies, or parts of a total-Lagrangian one, have run into each other
@@ -51,14 +57,13 @@ class Watch {
   std::vector<Warning> note(const std::vector<Warning>& warnings);
 
   /// Names of all that has been told.
-  const std::set<std::string>& names() const { return names_; }
+  std::set<std::string> names() const;
 
  private:
   void look_at(const Particles& particles, const Body& body, const RunSettings& settings, std::vector<Warning>& found);
   /// Adds it where it has not been told of this body yet.
   void tell(std::vector<Warning>& found, const std::string& name, const std::string& body, std::string text);
-  std::set<std::string> names_;
-  std::set<std::string> told_;  ///< names with bodies
+  std::set<std::string> told_;  ///< NAME, or NAME.BODY
 };
 
 }  // namespace tektite

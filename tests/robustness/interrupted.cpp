@@ -172,6 +172,27 @@ TEST_CASE("Interrupted: SIGINT and SIGTERM end a run with a snapshot, from which
   CHECK((left_in(small.folder("interrupted")) == whole));
 }
 
+/// The list of names in solve.json.
+std::string warnings_of(const std::string& folder) {
+  const auto summary = content_of(folder + "/solve.json");
+  return summary.substr(std::min(summary.find("\"warnings\""), summary.size()));
+}
+
+TEST_CASE("Interrupted: what a run was warned of before, it is told of at its end too") {
+  const SmallRun small("total-lagrangian",
+                       {"body.bar.shape={type='rectangle', lower=['-15.5 mm', '-5 mm'], upper=['0.5 mm', '5 mm']}"});
+  const auto whole = small.unbroken();
+  const auto told = warnings_of(small.folder("unbroken"));
+  REQUIRE_THAT(told, Contains("contact-at-start"));
+  small.fill("interrupted");
+  auto running = small.start(small.solving("interrupted"));
+  REQUIRE(comes_about([&] { return tektite::snapshot_files(small.folder("interrupted")).size() >= 3; }));
+  CHECK(running.end_by(SIGKILL) == -1);
+  REQUIRE(small.program(small.resuming("interrupted")).code == 0);
+  CHECK(warnings_of(small.folder("interrupted")) == told);
+  CHECK((left_in(small.folder("interrupted")).last_snapshot == whole.last_snapshot));
+}
+
 /// What a run shows on a terminal until the end of the first text that begins with this one; then it is told to end.
 std::string shown_up_to(const std::string& sought, const std::string& end, const std::string& folder,
                         std::vector<std::string> words) {
