@@ -88,4 +88,15 @@ double interpenetrated_part(const Particles& particles, const Body& body) {
   return part_of(count, body);
 }
 
+double beyond_planes_part(const Particles& particles, const Body& body, std::span<const SymmetryPlane> planes) {
+  const auto d = static_cast<std::size_t>(particles.dimensions());
+  const auto position = particles.reals(Field::position);
+  std::size_t count = 0;
+  for (auto i = body.range.begin; i < body.range.end; ++i)
+    count += std::ranges::any_of(planes, [&](const SymmetryPlane& plane) {
+      return plane.side * (position[d * i + static_cast<std::size_t>(plane.axis)] - plane.at) < 0.0;
+    });
+  return part_of(count, body);
+}
+
 }  // namespace tektite

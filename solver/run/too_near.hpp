@@ -2,7 +2,10 @@
 // Particles that lie nearer to each other than material can: clumps within a body, and bodies or parts of one body that
 // have run into each other.
 
+#include <span>
+
 #include "core/particles.hpp"
+#include "core/scene.hpp"
 
 namespace tektite {
 
@@ -16,5 +19,8 @@ double clumped_part(const Particles& particles, const Body& body);
 /// The part of a body's particles that have a particle of another body too near, or one of their own that was further
 /// away in the reference configuration than two spacings: kernels of that configuration do not see it.
 double interpenetrated_part(const Particles& particles, const Body& body);
+
+/// The part of a body's particles that lie on the wrong side of a symmetry plane: they have passed their own images.
+double beyond_planes_part(const Particles& particles, const Body& body, std::span<const SymmetryPlane> planes);
 
 }  // namespace tektite

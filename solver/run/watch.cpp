@@ -74,6 +74,12 @@ void Watch::look_at(const Particles& particles, const Body& body, const RunSetti
                      "too small; a larger contact.factor, contact.itself for pieces of one body, or a larger "
                      "viscosity.beta may mend it",
                      100.0 * part, body.name));
+  if (const double part = beyond_planes_part(particles, body, settings.scene.symmetry); part > too_near_share)
+    tell(found, "interpenetration", body.name,
+         fmt::format("{:.0f} % of the particles of {} lie beyond a symmetry plane: kernels of the reference "
+                     "configuration do not see the images of particles that were not near the plane at the start; "
+                     "contact.itself, or the scheme eulerian, holds them",
+                     100.0 * part, body.name));
   if (const double part = hourglass_share(particles, body, material); part > notable_hourglass)
     tell(found, "hourglass", body.name,
          fmt::format("neighbours in {} have moved against each other as kernels of the reference configuration do not "

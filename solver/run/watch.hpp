@@ -43,7 +43,7 @@ class Watch {
 
   /// What is found now, or known by the scheme, and has not been told yet. Names of what is found:
   ///   clumping          Eulerian particles of a body that is no gas lie in clumps: the tensile instability
-  ///   interpenetration  bodies, or parts of a total-Lagrangian one, have run into each other
+  ///   interpenetration  bodies, or parts of a total-Lagrangian one, have run into each other or through a plane
   ///   hourglass         total-Lagrangian particles move as their kernels do not see: zero-energy modes, slip
   ///   density-misfit    densities of Eulerian particles have run away from the places of these
   ///   lost-neighbours   a gas has expanded until its particles are out of each other's support

@@ -138,6 +138,26 @@ TEST_CASE("Interpenetration: without viscosity nothing keeps fast Eulerian bodie
   CHECK(with.apart > 0.5);
 }
 
+TEST_CASE(
+    "Interpenetration: a total-Lagrangian bar that comes to a symmetry plane from afar needs contact with itself") {
+  constexpr int length = 20;
+  constexpr double speed = 200.0;
+  for (const auto& [scheme, holds] : {std::pair<std::string, bool>{"scheme.type = 'total-lagrangian'\n", false},
+                                      {"scheme.type = 'total-lagrangian'\ncontact.itself = true\n", true},
+                                      {"scheme.type = 'eulerian'\n", true}}) {
+    INFO(scheme);
+    const auto end = 4.0 * length * spacing / wave_speed + 12.0 * spacing / speed;
+    auto simulation = simulation_of(
+        fmt::format("time.end = {}\nsymmetry.wall.axis = 'x'\n", end) + scheme + metal,
+        particles_on(Space::line, {{"bar", "metal", spacing, {5.5 * spacing}, {length}, {-speed}}}, density));
+    run_to_the_end(simulation);
+    Watch watch;
+    watch.look(simulation.particles(), simulation.settings(), simulation.scheme().warnings());
+    CHECK(watch.names().contains("interpenetration") == !holds);
+    CHECK((std::ranges::min(simulation.particles().reals(Field::position)) > 0.0) == holds);
+  }
+}
+
 TEST_CASE("Contact: however stiff it is, the time step follows it and the energy stays") {
   for (const double factor : {0.02, 20.0, 2000.0}) {
     const auto meeting = meet(with_contact(factor), 2000.0);
