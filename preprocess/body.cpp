@@ -105,8 +105,8 @@ std::vector<BodyPlan> read_bodies(Section& root, const Scene& scene, const std::
     auto shape = read_shape(body.section("shape"), dimensions);
     auto arrangement = read_arrangement(body.section_or_empty("arrangement"), dimensions);
     const double own_spacing = read_spacing(body, spacing, arrangement.wished_count.has_value());
-    auto velocity = read_velocity(body, dimensions);
-    auto regions = read_regions(body, dimensions);
+    auto velocity = read_velocity(body, scene.space);
+    auto regions = read_regions(body, scene.space);
     leave_others(body, Stage::preprocess);
     body.finish();
     plans.push_back({name, material, densities.at(material), own_spacing, std::move(shape), std::move(arrangement),

@@ -20,15 +20,15 @@ std::optional<KernelType> read_kernel(Section& section) {
                                                                    : KernelType::eulerian;
 }
 
-BodyRegion read_region(const std::string& name, Section& section, int dimensions) {
+BodyRegion read_region(const std::string& name, Section& section, Space space) {
   if (!is_plain_name(name)) throw section.fault("", "stands in reports, so it must be plain", plain_characters);
-  BodyRegion region{name, read_shape(section.section("shape"), dimensions), {}, {}, {}, {}, {}, section};
+  BodyRegion region{name, read_shape(section.section("shape"), dimensions_of(space)), {}, {}, {}, {}, {}, section};
   if (section.has("density")) region.density = section.quantity("density", dimension::density, limits::positive);
   if (section.has("specific_internal_energy"))
     region.energy = section.quantity("specific_internal_energy", dimension::specific_energy, limits::not_negative);
   region.kernel = read_kernel(section);
   if (section.has("clamped")) region.clamped = section.flag("clamped", false);
-  if (section.has("velocity")) region.velocity = read_velocity(section, dimensions);
+  if (section.has("velocity")) region.velocity = read_velocity(section, space);
   section.finish();
   if (!region.density && !region.energy && !region.kernel && !region.clamped && !region.velocity)
     throw section.fault("", "the region asks for nothing",
@@ -78,9 +78,9 @@ std::string in_words(const BodyRegion& region) {
 
 }  // namespace
 
-std::vector<BodyRegion> read_regions(Section& body, int dimensions) {
+std::vector<BodyRegion> read_regions(Section& body, Space space) {
   std::vector<BodyRegion> regions;
-  for (auto& [name, section] : body.named_sections("region")) regions.push_back(read_region(name, section, dimensions));
+  for (auto& [name, section] : body.named_sections("region")) regions.push_back(read_region(name, section, space));
   return regions;
 }
 

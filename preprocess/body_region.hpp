@@ -28,7 +28,7 @@ struct BodyRegion {
 };
 
 /// Reads the regions of a body in the order of the scene. Throws InputError, also for a region that asks for nothing.
-std::vector<BodyRegion> read_regions(Section& body, int dimensions);
+std::vector<BodyRegion> read_regions(Section& body, Space space);
 
 /// Allocates specific_internal_energy, kernel_type and clamped where a region asks for them; elsewhere there is no
 /// energy, the kernels are total-Lagrangian and nothing is clamped.

@@ -25,7 +25,7 @@ class Pulse : public VelocityField {
 
 }  // namespace
 
-VelocityPointer read_pulse(Section& section, int) {
+VelocityPointer read_pulse(Section& section, Space) {
   const double speed = section.quantity("speed", dimension::speed, limits::any);
   const double centre = section.quantity("centre", dimension::length, limits::any);
   return std::make_unique<Pulse>(speed, centre, section.quantity("width", dimension::length, limits::positive));

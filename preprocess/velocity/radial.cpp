@@ -23,9 +23,9 @@ class Radial : public VelocityField {
 
 }  // namespace
 
-VelocityPointer read_radial(Section& section, int dimensions) {
+VelocityPointer read_radial(Section& section, Space space) {
   const double speed = section.quantity("speed", dimension::speed, limits::any);
-  return std::make_unique<Radial>(speed, read_point(section, "centre", dimensions, Point{}));
+  return std::make_unique<Radial>(speed, read_point(section, "centre", dimensions_of(space), Point{}));
 }
 
 }  // namespace tektite::preprocess

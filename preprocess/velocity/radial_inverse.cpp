@@ -24,10 +24,10 @@ class RadialInverse : public VelocityField {
 
 }  // namespace
 
-VelocityPointer read_radial_inverse(Section& section, int dimensions) {
+VelocityPointer read_radial_inverse(Section& section, Space space) {
   const double speed = section.quantity("speed", dimension::speed, limits::any);
   const double radius = section.quantity("radius", dimension::length, limits::positive);
-  return std::make_unique<RadialInverse>(speed, radius, read_point(section, "centre", dimensions, Point{}));
+  return std::make_unique<RadialInverse>(speed, radius, read_point(section, "centre", dimensions_of(space), Point{}));
 }
 
 }  // namespace tektite::preprocess

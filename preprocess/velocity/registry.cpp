@@ -7,7 +7,7 @@ namespace {
 
 struct VelocityRow {
   const char* name;
-  VelocityPointer (*read)(Section&, int);
+  VelocityPointer (*read)(Section&, Space);
 };
 
 constexpr std::array<VelocityRow, 5> velocities{{
@@ -20,15 +20,15 @@ constexpr std::array<VelocityRow, 5> velocities{{
 
 }  // namespace
 
-VelocityPointer read_velocity(Section& body, int dimensions) {
-  if (!body.has_table("velocity")) return read_uniform(body, dimensions);
+VelocityPointer read_velocity(Section& body, Space space) {
+  if (!body.has_table("velocity")) return read_uniform(body, space);
   auto section = body.section("velocity");
   std::vector<std::string> names;
   for (const auto& row : velocities) names.emplace_back(row.name);
   const auto type = section.choice("type", names);
   VelocityPointer velocity;
   for (const auto& row : velocities)
-    if (row.name == type) velocity = row.read(section, dimensions);
+    if (row.name == type) velocity = row.read(section, space);
   section.finish();
   return velocity;
 }

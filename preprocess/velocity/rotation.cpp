@@ -1,4 +1,5 @@
-// rotation: rigid spin at `rate` about the point `centre`; about `axis` in solids, about z in the plane.
+// rotation: rigid spin at `rate` about the point `centre`; about `axis` in solids, about z in the plane; no
+// section about an axis has one.
 
 #include "preprocess/velocity/velocity.hpp"
 
@@ -21,12 +22,15 @@ class Rotation : public VelocityField {
 
 }  // namespace
 
-VelocityPointer read_rotation(Section& section, int dimensions) {
-  if (dimensions == 1) throw section.fault("type", "nothing rotates on a line", "uniform, radial, radial-inverse");
+VelocityPointer read_rotation(Section& section, Space space) {
+  const std::string others = "uniform, radial, radial-inverse";
+  if (dimensions_of(space) == 1) throw section.fault("type", "nothing rotates on a line", others);
+  if (space == Space::axisymmetric)
+    throw section.fault("type", "a section about an axis does not turn in its own plane, and has no spin", others);
   const Point z{{0.0, 0.0, 1.0}};
   const double rate = section.quantity("rate", dimension::rate, limits::any);
-  const auto axis = dimensions == 3 ? read_direction(section, "axis", z) : z;
-  return std::make_unique<Rotation>(rate * axis, read_point(section, "centre", dimensions, Point{}));
+  const auto axis = space == Space::solid ? read_direction(section, "axis", z) : z;
+  return std::make_unique<Rotation>(rate * axis, read_point(section, "centre", dimensions_of(space), Point{}));
 }
 
 }  // namespace tektite::preprocess

@@ -16,7 +16,8 @@ class Uniform : public VelocityField {
 
 }  // namespace
 
-VelocityPointer read_uniform(Section& section, int dimensions) {
+VelocityPointer read_uniform(Section& section, Space space) {
+  const int dimensions = dimensions_of(space);
   Point velocity{};
   if (section.has("velocity")) {
     const auto values = section.quantities("velocity", dimension::speed, static_cast<std::size_t>(dimensions));

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "core/document.hpp"
+#include "core/space.hpp"
 #include "preprocess/geometry/placement.hpp"
 
 namespace tektite::preprocess {
@@ -20,12 +21,12 @@ using VelocityPointer = std::unique_ptr<VelocityField>;
 
 /// Reads the key `velocity` of a body, at rest where it is left out. Throws InputError; an unknown type is answered
 /// with the known ones.
-VelocityPointer read_velocity(Section& body, int dimensions);
+VelocityPointer read_velocity(Section& body, Space space);
 
-VelocityPointer read_uniform(Section& section, int dimensions);
-VelocityPointer read_radial(Section& section, int dimensions);
-VelocityPointer read_radial_inverse(Section& section, int dimensions);
-VelocityPointer read_rotation(Section& section, int dimensions);
-VelocityPointer read_pulse(Section& section, int dimensions);
+VelocityPointer read_uniform(Section& section, Space space);
+VelocityPointer read_radial(Section& section, Space space);
+VelocityPointer read_radial_inverse(Section& section, Space space);
+VelocityPointer read_rotation(Section& section, Space space);
+VelocityPointer read_pulse(Section& section, Space space);
 
 }  // namespace tektite::preprocess
