@@ -95,6 +95,7 @@ MsphCoefficients<D> invert_moments(const Eigen::Matrix<double, taylor_terms<D>, 
   const auto attempt = [&]<int size>(std::integral_constant<int, size>) {
     const Eigen::Matrix<double, size, size> block = b.template topLeftCorner<size, size>();
     const auto factors = block.partialPivLu();
+    if (factors.matrixLU().diagonal().cwiseAbs().minCoeff() == 0.0) return false;
     Eigen::Matrix<double, size, size> inverse;  // column by column, which Eigen unrolls
     for (int c = 0; c < size; ++c) inverse.col(c) = factors.solve(Eigen::Matrix<double, size, 1>::Unit(c));
     const double condition =
