@@ -35,6 +35,7 @@ class KernelContact {
   void start() {
     particles_.allocate(Field::contact_search_position);
     particles_.allocate(Field::contact_stiffness);
+    if (!particles_.has(Field::reference_volume)) note_volumes();
     neighbourhood_.renew(0.0);
     fill();
   }
@@ -99,18 +100,25 @@ class KernelContact {
   }
 
  private:
+  /// Those at the start, whatever density a region has there.
+  void note_volumes() {
+    particles_.allocate(Field::reference_volume);
+    const double *mass = particles_.scalars(Field::mass), *density = particles_.scalars(Field::density);
+    double* const volume = particles_.scalars(Field::reference_volume);
+    for_each(particles_.count(), [=](std::size_t i) { volume[i] = mass[i] / density[i]; });
+  }
+
   /// What does not change from step to step.
   void fill() {
     records_.resize(particles_.count() + neighbourhood_.mirror().images());
     energy_.resize(particles_.count());
-    const double* mass = particles_.scalars(Field::mass);
+    const double* volume = particles_.scalars(Field::reference_volume);
     const double* h = particles_.scalars(Field::smoothing_length);
     for (std::size_t k = 0; k < materials_.size(); ++k) {
       const auto& body = particles_.bodies()[k];
-      const double density = materials_[k]->density;
       const double bulk_modulus = bulk_modulus_of(*materials_[k]);
       for (std::size_t i = body.range.begin; i < body.range.end; ++i)
-        records_[i] = {Vector<double, D>::zero(), mass[i] / density, bulk_modulus, h[i], body.spacing};
+        records_[i] = {Vector<double, D>::zero(), volume[i], bulk_modulus, h[i], body.spacing};
     }
   }
 

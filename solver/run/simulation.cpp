@@ -105,7 +105,7 @@ double Simulation::jacobian_of(std::size_t i) const {
 
 std::optional<std::size_t> Simulation::inverted_particle() const {
   const auto& p = snapshot_.particles;
-  if (!p.has(Field::reference_volume)) return std::nullopt;
+  if (!p.has(Field::reference_position)) return std::nullopt;
   for (std::size_t i = 0; i < p.count(); ++i)
     if (jacobian_of(i) < 0.0) return i;
   return std::nullopt;

@@ -93,6 +93,26 @@ TEST_CASE("Contact: pieces of one body push each other as two bodies do, where t
   }
 }
 
+TEST_CASE("Contact: what it stores follows from places and materials, not from how dense a region is at the start",
+          "[contact]") {
+  const auto stored = [](const std::string& scheme, double density) {
+    auto p = test::particles_on(Space::plane_strain,
+                                {{"left", "metal", spacing, {-9.5 * spacing, 0.0}, {8, 8}, {0.0, 0.0}},
+                                 {"right", "metal", spacing, {0.0, 0.0}, {8, 8}, {0.0, 0.0}}},
+                                2785.0);
+    for (auto i = p.bodies()[1].range.begin; i < p.bodies()[1].range.end; ++i) {
+      p.reals(Field::mass)[i] *= density;
+      p.reals(Field::density)[i] *= density;
+    }
+    return test::simulation_of(scene_of(scheme), std::move(p)).ledger().contact;
+  };
+  for (const std::string scheme : {"eulerian", "total-lagrangian"}) {
+    INFO(scheme);
+    REQUIRE(stored(scheme, 1.0) > 0.0);
+    CHECK(stored(scheme, 0.9) == Approx(stored(scheme, 1.0)).epsilon(1e-12));
+  }
+}
+
 TEST_CASE("Contact: where it is stiffer than the bodies it limits the time step", "[contact]") {
   auto stiff = collision("total-lagrangian", 20.0 * speed, "contact.factor = 1000.0\n");
   auto soft = collision("total-lagrangian", 20.0 * speed);
