@@ -45,8 +45,8 @@ double distance(const Extent& extent, const double* x) {
   return std::sqrt(square);
 }
 
-/// Whether nothing happens in a body by itself.
-bool starts_quiet(const Particles& particles, const Body& body) {
+/// Whether nothing happens in a body by itself: it moves as one, and is neither pressed nor heated anywhere.
+bool starts_quiet(const Particles& particles, const Body& body, double density_at_rest) {
   const auto width = static_cast<std::size_t>(particles.dimensions());
   const auto velocity = particles.reals(Field::velocity);
   const bool energetic = particles.has(Field::specific_internal_energy);
@@ -54,7 +54,7 @@ bool starts_quiet(const Particles& particles, const Body& body) {
     for (std::size_t k = 0; k < width; ++k)
       if (velocity[i * width + k] != velocity[body.range.begin * width + k]) return false;
     if (energetic && particles.reals(Field::specific_internal_energy)[i] != 0.0) return false;
-    if (particles.reals(Field::density)[i] != particles.reals(Field::density)[body.range.begin]) return false;
+    if (particles.reals(Field::density)[i] != density_at_rest) return false;
   }
   return true;
 }
@@ -95,13 +95,16 @@ std::vector<Trim> unreached(const Particles& particles, const RunSettings& setti
   if (meetings.empty()) return trims;
   const auto width = static_cast<std::size_t>(particles.dimensions());
   const double speed = fastest(particles, settings, meetings);
+  const auto quiet = [&](const Body& body) {
+    return starts_quiet(particles, body, settings.materials.at(body.material).density);
+  };
   for (const auto& body : particles.bodies()) {
-    if (!starts_quiet(particles, body)) continue;
+    if (!quiet(body)) continue;
     const auto velocity = mean_over(particles, body, Field::velocity);
     auto source = nothing(width);
     double gap = 0.0;
     for (const auto& other : particles.bodies()) {
-      if (starts_quiet(particles, other) && mean_over(particles, other, Field::velocity) == velocity) continue;
+      if (quiet(other) && mean_over(particles, other, Field::velocity) == velocity) continue;
       const auto extent = extent_of(particles, other);
       widen(source, extent.lower.data());
       widen(source, extent.upper.data());

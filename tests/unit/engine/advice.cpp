@@ -171,4 +171,8 @@ TEST_CASE("Advice: what waves do not reach is found, with room for the fastest o
   auto stirred = particles;
   stirred.reals(Field::velocity).back() = 1.0;
   CHECK(unreached(stirred, settings, meetings(stirred, settings.materials)).empty());
+  auto pressed = particles;  // everywhere alike: it will expand from all its surfaces
+  const auto& range = pressed.bodies().back().range;
+  for (auto i = range.begin; i < range.end; ++i) pressed.reals(Field::density)[i] *= 1.01;
+  CHECK(unreached(pressed, settings, meetings(pressed, settings.materials)).empty());
 }
