@@ -30,42 +30,31 @@ Neighbourhood<D>::Neighbourhood(Particles& particles, double support, std::vecto
     : particles_(particles), support_(support), search_(std::move(search)), mirror_(std::move(planes)) {}
 
 template <int D>
-double Neighbourhood<D>::diagonal(const typename DisplacementBox<D>::Box& box) const {
-  double square = 0.0;
-  for (int k = 0; k < D; ++k) {
-    double width = box.upper[k] - box.lower[k];
-    for (const auto& plane : mirror_.planes())  // a particle and an image move against each other
-      if (plane.axis == k) width = 2.0 * std::max(std::abs(box.upper[k]), std::abs(box.lower[k]));
-    square += width * width;
-  }
-  return std::sqrt(square);
-}
-
-template <int D>
 auto Neighbourhood<D>::approach(double dt) -> Approach {
-  using Box = typename DisplacementBox<D>::Box;
+  using Box = VectorBox<D>;
   const Particles& particles = particles_;
-  const DisplacementBox<D> pass{particles.vectors<D>(Field::position), particles.vectors<D>(Field::velocity),
-                                particles.vectors<D>(Field::acceleration), particles.vectors<D>(search_.positions),
-                                0.5 * dt};
+  const auto *x = particles.vectors<D>(Field::position), *v = particles.vectors<D>(Field::velocity),
+             *a = particles.vectors<D>(Field::acceleration), *from = particles.vectors<D>(search_.positions);
+  const double ahead = 0.5 * dt;
   boxes_.resize(regions_.cells());
   for_each(regions_.cells(), [&](std::size_t region) {
     boxes_[region] = Box{};
-    for (const auto i : regions_.members(region)) pass(boxes_[region], i);
+    for (const auto i : regions_.members(region))
+      boxes_[region].take(x[i] + ahead * (v[i] + (0.5 * ahead) * a[i]) - from[i]);
   });
   const auto widest = [&](double& near, std::size_t region) {
     if (boxes_[region].empty()) return;
     for (const auto other : regions_.around(region)) {
       Box both = boxes_[region];
-      DisplacementBox<D>::join(both, boxes_[other]);
-      near = std::max(near, diagonal(both));
+      Box::join(both, boxes_[other]);
+      near = std::max(near, both.diagonal(mirror_.planes()));
     }
   };
   const double near =
       reduce(regions_.cells(), 0.0, widest, [](double& whole, double part) { whole = std::max(whole, part); });
   Box all{};
-  for (const auto& box : boxes_) DisplacementBox<D>::join(all, box);
-  return {near, diagonal(all)};
+  for (const auto& box : boxes_) Box::join(all, box);
+  return {near, all.diagonal(mirror_.planes())};
 }
 
 template <int D>

@@ -12,7 +12,7 @@
 #include "core/particles.hpp"
 #include "neighbours/cell_grid.hpp"
 #include "neighbours/pair_list.hpp"
-#include "passes/displacement_box.hpp"
+#include "passes/vector_box.hpp"
 
 namespace tektite {
 
@@ -61,7 +61,6 @@ class Neighbourhood {
     double far;   ///< any two, m
   };
   Approach approach(double dt);
-  double diagonal(const typename DisplacementBox<D>::Box& box) const;
   void find_regions();
   void keep_apart(const std::vector<std::uint32_t>& body);
   void find_members();
@@ -73,7 +72,7 @@ class Neighbourhood {
   int searches_since_order_ = 0;
   Mirror<D> mirror_;
   CellGrid<D> regions_;
-  std::vector<typename DisplacementBox<D>::Box> boxes_;
+  std::vector<VectorBox<D>> boxes_;  ///< of the displacements since the last search, region by region
   PairList pairs_;
   std::vector<std::uint32_t> members_;
   std::vector<Vector<double, D>> places_;

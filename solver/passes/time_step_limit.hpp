@@ -10,7 +10,7 @@
 namespace tektite {
 
 /// Which criterion limits a time step.
-enum class StepLimit { sound, viscosity, acceleration, contact, growth, end };
+enum class StepLimit { sound, viscosity, acceleration, contact, meeting, growth, end };
 
 constexpr const char* name_of(StepLimit limit) {
   switch (limit) {
@@ -22,6 +22,8 @@ constexpr const char* name_of(StepLimit limit) {
       return "acceleration";
     case StepLimit::contact:
       return "contact";
+    case StepLimit::meeting:
+      return "meeting";
     case StepLimit::growth:
       return "growth";
     case StepLimit::end:

@@ -40,7 +40,8 @@ class EulerianScheme final : public Scheme {
         smoothing_(smoothing_range(setup.particles)),
         neighbourhood_(setup.particles, Kernel::support * smoothing_.second, setup.symmetry,
                        {setup.settings.contact ? Pairing::within_bodies : Pairing::all}),
-        anvil_(setup.settings.anvil) {
+        anvil_(setup.settings.anvil),
+        walls_(walls_of(setup)) {
     if (CorrectedSums<Kernel, D>::needed(settings_)) corrected_.emplace(settings_);
     if (settings_.contact)
       contact_.emplace(particles_, setup.materials, neighbourhood_.support(), setup.symmetry, *settings_.contact);
@@ -83,7 +84,8 @@ class EulerianScheme final : public Scheme {
   }
 
   TimeStep stable_step() const override {
-    return with_contact(least_stable_step<D>(particles_, settings_.courant, viscosity_), contact_, settings_.courant);
+    return smallest_step<D>(least_stable_step<D>(particles_, settings_.courant, viscosity_), particles_, walls_,
+                            contact_, settings_.courant);
   }
 
   Ledger ledger() override { return ledger_of<D>(particles_, contact_ ? contact_->energy() : 0.0); }
@@ -219,6 +221,7 @@ class EulerianScheme final : public Scheme {
   std::optional<CorrectedSums<Kernel, D>> corrected_;
   std::optional<KernelContact<D, Kernel>> contact_;
   StopAtAnvil<D> anvil_;
+  std::vector<SymmetryPlane> walls_;
   EulerianRings<Kernel> rings_;  ///< of an axisymmetric space
   std::vector<EulerianRecord<D>> records_;
 };

@@ -72,7 +72,8 @@ class GodunovScheme : public Scheme {
 
   TimeStep stable_step() const override {
     const auto motion = [approach = particles_.scalars(Field::approach_speed)](std::size_t i) { return approach[i]; };
-    return with_contact(least_acoustic_step<D>(particles_, settings_.courant, motion), contact_, settings_.courant);
+    return smallest_step<D>(least_acoustic_step<D>(particles_, settings_.courant, motion), particles_,
+                            neighbourhood_.mirror().planes(), contact_, settings_.courant);
   }
 
   Ledger ledger() override { return ledger_of<D>(particles_, contact_ ? contact_->energy() : 0.0); }

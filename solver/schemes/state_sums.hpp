@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "parallel/reduce.hpp"
 #include "passes/acoustic_step_limit.hpp"
 #include "passes/energy_sums.hpp"
 #include "passes/time_step_limit.hpp"
+#include "passes/vector_box.hpp"
 #include "schemes/scheme.hpp"
 
 namespace tektite {
@@ -41,9 +44,33 @@ typename TimeStepLimit<D>::Least least_acoustic_step(const Particles& p, double 
                 TimeStepLimit<D>::join);
 }
 
-/// The smaller of a step and that of the contact between bodies, if there is one.
-template <class Least, class Contact>
-TimeStep with_contact(Least least, const std::optional<Contact>& contact, double courant) {
+/// What particles may come to: the planes of symmetry, and the anvil.
+inline std::vector<SymmetryPlane> walls_of(const SchemeSetup& setup) {
+  auto walls = setup.symmetry;
+  if (setup.settings.anvil) walls.push_back(*setup.settings.anvil);
+  return walls;
+}
+
+/// The step in s in which no two particles, and none and a wall or its image there, come nearer to each other by more
+/// than the least smoothing length. It is seldom the smallest one, but bodies of a gas that is too cold to have a sound
+/// speed would pass through each other without it.
+template <int D>
+double meeting_step(const Particles& p, std::span<const SymmetryPlane> walls) {
+  using Box = VectorBox<D>;
+  const auto take = [v = p.vectors<D>(Field::velocity)](Box& box, std::size_t i) { box.take(v[i]); };
+  const auto velocities = reduce(p.count(), Box{}, take, Box::join);
+  return limit_of(std::ranges::min(p.reals(Field::smoothing_length)), velocities.diagonal(walls));
+}
+
+/// The smallest of a step, that in which particles meet, and that of the contact between bodies, if there is one.
+template <int D, class Contact>
+TimeStep smallest_step(typename TimeStepLimit<D>::Least least, const Particles& p, std::span<const SymmetryPlane> walls,
+                       const std::optional<Contact>& contact, double courant) {
+  if (const double dt = meeting_step<D>(p, walls); dt < least.dt) {
+    const auto* v = p.vectors<D>(Field::velocity);
+    const auto slower = [](const auto& a, const auto& b) { return dot(a, a) < dot(b, b); };
+    least = {dt, static_cast<std::size_t>(std::max_element(v, v + p.count(), slower) - v), StepLimit::meeting};
+  }
   if (contact) {
     const auto limit = contact->stable_step(courant);
     if (limit.dt < least.dt) least = limit;

@@ -46,6 +46,7 @@ class TotalLagrangianScheme final : public Scheme {
         materials_(setup.particles, setup.materials),
         mirror_(setup.symmetry),
         anvil_(setup.settings.anvil),
+        walls_(walls_of(setup)),
         converter_(setup.settings.conversion),
         interface_(setup.settings) {
     if (settings_.contact) contact_.emplace(particles_, setup.materials, support(), setup.symmetry, *settings_.contact);
@@ -98,7 +99,8 @@ class TotalLagrangianScheme final : public Scheme {
   }
 
   TimeStep stable_step() const override {
-    return with_contact(least_stable_step<D>(particles_, settings_.courant, viscosity_), contact_, settings_.courant);
+    return smallest_step<D>(least_stable_step<D>(particles_, settings_.courant, viscosity_), particles_, walls_,
+                            contact_, settings_.courant);
   }
 
   Ledger ledger() override {
@@ -335,6 +337,7 @@ class TotalLagrangianScheme final : public Scheme {
   Mirror<D> mirror_;
   std::optional<KernelContact<D, Kernel>> contact_;
   StopAtAnvil<D> anvil_;
+  std::vector<SymmetryPlane> walls_;
   LagrangianRings<Kernel> rings_;  ///< of an axisymmetric space
   Neighbours neighbours_;
   std::size_t uncorrected_ = 0;

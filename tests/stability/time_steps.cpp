@@ -47,3 +47,23 @@ TEST_CASE("Time step: steps beyond the largest stable one go wild, those of thre
   CHECK(speed_after(0.75 * largest.share) < 2e-3);
   CHECK(speed_after(1.1 * largest.share) > 1.0);
 }
+
+TEST_CASE("Time step: cold gas, which has no sound speed, does not pass other gas or a plane in a step") {
+  const std::string scheme = GENERATE("'eulerian'", "'godunov-split', order = 1, riemann = { model = 'exact' }");
+  const bool plane = GENERATE(true, false);
+  INFO(scheme << (plane ? ", a symmetry plane" : ", two bodies"));
+  constexpr double delta = 1e-3, speed = 1000.0;
+  std::vector<Lattice> bodies{{"right", "gas", delta, {10.5 * delta}, {50}, {-speed}}};
+  if (!plane) bodies.insert(bodies.begin(), {"left", "gas", delta, {-59.5 * delta}, {50}, {speed}});
+  auto simulation = simulation_of(
+      "time.end = '40 us'\nscheme = { type = " + scheme + " }\n" + (plane ? "symmetry.wall.axis = 'x'\n" : "") +
+          "[material.gas]\ndensity = 1.0\neos = { model = 'ideal-gas', heat_ratio = 1.6667 }\n",
+      particles_on(Space::line, bodies, 1.0));
+  simulation.step();
+  CHECK(simulation.last_step().reason == StepLimit::meeting);
+  run_to_the_end(simulation);
+  // The gas is four times as dense behind the shock: in 30 µs that takes 40 of its 50 mm, and heat of all their motion.
+  const auto ledger = simulation.ledger();
+  WARN(fmt::format("{:.2f} of the energy is heat", ledger.internal / ledger.total()));
+  CHECK(ledger.internal == Approx(0.8 * ledger.total()).epsilon(0.2));
+}
