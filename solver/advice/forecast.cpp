@@ -30,9 +30,8 @@ double bytes_of_fields(const Particles& particles, bool shown_alone) {
   return bytes * static_cast<double>(particles.count());
 }
 
-/// Linear coefficient of the viscosity; the Godunov schemes have none.
+/// Linear coefficient of the viscosity.
 double alpha_of(const RunSettings& settings) {
-  if (settings.scheme.type.starts_with("godunov")) return 0.0;
   return std::visit([](const auto& viscosity) { return viscosity.alpha; }, settings.scheme.viscosity);
 }
 

@@ -33,11 +33,9 @@ std::optional<double> flow_stress(const Material& material, double rate) {
 std::vector<std::string> viscous_strengths(const Particles& particles, const RunSettings& settings,
                                            const std::vector<Meeting>& meetings) {
   const auto* viscosity = std::get_if<MonaghanViscosity>(&settings.scheme.viscosity);
-  const bool used = settings.scheme.type == "eulerian" || settings.scheme.type == "total-lagrangian" ||
-                    settings.scheme.type == "adaptle";
   const int dimensions = particles.dimensions();
   std::vector<std::string> lines;
-  if (!used || !viscosity || dimensions == 1) return lines;
+  if (!viscosity || viscosity->alpha == 0.0 || dimensions == 1) return lines;
   const auto thickness = [&](const Body& body) {
     return body.spacing * particles_through(particles, body, settings.scene.symmetry);
   };

@@ -36,6 +36,46 @@ Viscosity read_viscosity(Section& root) {
   return Family<Viscosity>::read(section);
 }
 
+/// What the keys of [scheme] hang on.
+struct Kind {
+  bool eulerian, total_lagrangian, adaptle, split, strong;
+
+  explicit Kind(const std::string& type)
+      : eulerian(type == "eulerian"),
+        total_lagrangian(type == "total-lagrangian"),
+        adaptle(type == "adaptle"),
+        split(type == "godunov-split"),
+        strong(type == "msph" || type == "ssph") {}
+  bool lagrangian() const { return total_lagrangian || adaptle; }
+  bool viscous() const { return eulerian || lagrangian(); }
+};
+
+/// The keys `correction`, `correction_limit` and `artificial_stress`. Eulerian fragments of a few particles blow up
+/// with corrected gradients: nobody gets those unasked.
+void read_correction(Section& section, const Kind& kind, Space space, SchemeSettings& settings) {
+  std::vector<std::string> corrections{kind.lagrangian() ? "mixed" : "none"};
+  if (kind.lagrangian()) corrections.emplace_back("none");
+  if (kind.eulerian || kind.split) corrections.emplace_back("mixed");
+  if (kind.adaptle) corrections.emplace_back("reference");  // of what is total-Lagrangian alone
+  const auto correction = section.choice("correction", corrections, kind.adaptle ? "reference" : corrections.front());
+  settings.corrected = kind.lagrangian() && correction != "none";
+  settings.corrected_eulerian = (kind.eulerian || kind.adaptle || kind.split) && correction == "mixed";
+  if (settings.corrected_eulerian && section.has("correction_limit"))
+    settings.correction_limit = section.quantity("correction_limit", dimension::none, {1.0, limits::infinite, true});
+  if (section.has("artificial_stress") && (kind.eulerian || kind.adaptle))
+    settings.artificial_stress = read_artificial_stress(section.section("artificial_stress"), space, kind.adaptle);
+}
+
+/// The key `hourglass_control`; zero where it is left out.
+double read_hourglass_control(Section& section, const Kind& kind, const std::string& type) {
+  if (!section.has("hourglass_control")) return 0.0;
+  if (!kind.total_lagrangian)
+    throw section.fault("hourglass_control",
+                        "it holds bonds of the reference configuration, which " + type + " lets go of or has none of",
+                        "the scheme total-lagrangian");
+  return section.quantity("hourglass_control", dimension::none, {0.0, 1.0});
+}
+
 /// [anvil]: axis, at and keep as of a symmetry plane.
 std::optional<SymmetryPlane> read_anvil(Section& root, const Scene& scene, bool supported) {
   if (!root.has("anvil")) return std::nullopt;
@@ -63,43 +103,24 @@ SchemeSettings read_scheme(Section& root, const Scene& scene) {
   SchemeSettings settings;
   auto section = root.section_or_empty("scheme");
   settings.type = section.choice("type", scheme_names(), "eulerian");
-  const bool strong = settings.type == "msph" || settings.type == "ssph";
-  settings.courant = section.quantity("courant", dimension::none, {0.0, 1.0, true}, strong ? 0.2 : 0.25);
-  if (strong) settings.smoothing_share = section.quantity("smoothing_share", dimension::none, {0.0, 0.5}, 0.3);
-  const std::array<std::string, 2> forces{"strong", "adjoint"};
-  if (strong) settings.adjoint_forces = section.choice("forces", forces, "strong") == "adjoint";
-  const bool adaptle = settings.type == "adaptle", eulerian = settings.type == "eulerian";
-  const bool split = settings.type == "godunov-split";
-  const bool lagrangian = adaptle || settings.type == "total-lagrangian";
-  std::vector<std::string> corrections{lagrangian ? "mixed" : "none"};
-  if (lagrangian) corrections.emplace_back("none");
-  if (eulerian || split) corrections.emplace_back("mixed");
-  if (adaptle) corrections.emplace_back("reference");  // of what is total-Lagrangian alone
-  // Eulerian fragments of a few particles blow up with corrected gradients: nobody gets those unasked.
-  const auto correction = section.choice("correction", corrections, adaptle ? "reference" : corrections.front());
-  settings.corrected = lagrangian && correction != "none";
-  settings.corrected_eulerian = (eulerian || adaptle || split) && correction == "mixed";
-  if (settings.corrected_eulerian && section.has("correction_limit"))
-    settings.correction_limit = section.quantity("correction_limit", dimension::none, {1.0, limits::infinite, true});
-  if (section.has("artificial_stress") && (eulerian || adaptle))
-    settings.artificial_stress = read_artificial_stress(section.section("artificial_stress"), scene.space, adaptle);
-  if (adaptle) settings.conversion = read_conversion(section);
-  if (section.has("hourglass_control")) {
-    if (settings.type != "total-lagrangian")
-      throw section.fault(
-          "hourglass_control",
-          "it holds bonds of the reference configuration, which " + settings.type + " lets go of or has none of",
-          "the scheme total-lagrangian");
-    settings.hourglass_control = section.quantity("hourglass_control", dimension::none, {0.0, 1.0});
+  const Kind kind(settings.type);
+  settings.courant = section.quantity("courant", dimension::none, {0.0, 1.0, true}, kind.strong ? 0.2 : 0.25);
+  if (kind.strong) {
+    const std::array<std::string, 2> forces{"strong", "adjoint"};
+    settings.smoothing_share = section.quantity("smoothing_share", dimension::none, {0.0, 0.5}, 0.3);
+    settings.adjoint_forces = section.choice("forces", forces, "strong") == "adjoint";
   }
-  if (split) settings.godunov = std::make_shared<GodunovSettings>(read_godunov(section, scene.space));
+  read_correction(section, kind, scene.space, settings);
+  if (kind.adaptle) settings.conversion = read_conversion(section);
+  settings.hourglass_control = read_hourglass_control(section, kind, settings.type);
+  if (kind.split) settings.godunov = std::make_shared<GodunovSettings>(read_godunov(section, scene.space));
   section.finish();
   settings.kernel = scene.kernel;
   auto smoothing = root.section("smoothing");
   smoothing.choice("kernel", Family<Kernel>::names());
-  if (!settings.type.starts_with("godunov")) settings.viscosity = read_viscosity(root);
-  settings.contact = read_contact(root, lagrangian);
-  settings.anvil = read_anvil(root, scene, strong || eulerian || settings.type == "total-lagrangian");
+  if (kind.viscous()) settings.viscosity = read_viscosity(root);
+  settings.contact = read_contact(root, kind.lagrangian());
+  settings.anvil = read_anvil(root, scene, kind.strong || kind.eulerian || kind.total_lagrangian);
   return settings;
 }
 

@@ -26,7 +26,7 @@ struct SchemeSettings {
   std::string type;      ///< name in the registry
   double courant = 0.0;  ///< C in the time step limits
   std::string kernel;
-  Viscosity viscosity;              ///< of the schemes that are not Godunov's
+  Viscosity viscosity;              ///< of eulerian, total-lagrangian and adaptle; none elsewhere
   bool corrected = false;           ///< mixed correction of kernels of the reference configuration
   bool corrected_eulerian = false;  ///< mixed correction of Eulerian kernels
   double correction_limit = std::numeric_limits<double>::infinity();  ///< C_f, of Eulerian kernels
