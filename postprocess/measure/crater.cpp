@@ -42,9 +42,10 @@ Crater crater_of(const Event& event, const Fragments& fragments, const Target& t
   const double step = 0.5 * link_of_support * target.smoothing_length;
   std::vector<Station> stations{{0.5 * target.spacing, nothing}};
   for (std::size_t i = 0; i < event.last.count(); ++i) {
-    const double depth = dot(event.last.position[i], target.direction) - target.thickness.low;
+    const auto place = target.seen(event.last.position[i]);
+    const double depth = dot(place, target.direction) - target.thickness.low;
     if (!hangs[fragments.label[i]] || depth < 0.0) continue;
-    const auto across = target.across(event.last.position[i]);
+    const auto across = target.across(place);
     const auto add_to = [&](std::size_t station) {
       while (stations.size() <= station) stations.push_back({step * static_cast<double>(stations.size()), nothing});
       auto& distance = stations[station].inner[sectors.of(across)];
@@ -77,7 +78,7 @@ Measure read_crater_diameter(Section& section, const Declared& declared) {
     Measured measured{wide.diameter, event.last.time, 0.0, {}};
     // Either edge is known to half a spacing; the rest is what the choice of the link length decides.
     measured.uncertainty = target.spacing + std::abs(wide.diameter - narrow.diameter);
-    const auto on_line = target.on_line(wide.depth);
+    const auto on_line = target.unseen(target.on_line(wide.depth));
     const auto radius = 0.5 * wide.diameter * side_of(target.direction);
     measured.drawing = Segment{on_line - radius, on_line + radius};
     return measured;

@@ -44,14 +44,17 @@ Point mean_velocity(const Whole& whole, std::int32_t body) {
   return mean_of(whole.velocity, whole, [&](std::size_t i) { return whole.body[i] == body; });
 }
 
+Point velocity_of_others(const Whole& whole, std::int32_t body) {
+  return mean_of(whole.velocity, whole, [&](std::size_t i) { return whole.body[i] != body; });
+}
+
 Point centre_of_mass(const Whole& whole, std::int32_t body) {
   return mean_of(whole.position, whole, [&](std::size_t i) { return whole.body[i] == body; });
 }
 
 Point flight_direction(const Whole& initial, std::int32_t body, const std::optional<Point>& axis) {
   if (axis) return *axis;
-  const auto others = mean_of(initial.velocity, initial, [&](std::size_t i) { return initial.body[i] != body; });
-  const auto velocity = mean_velocity(initial, body) - others;
+  const auto velocity = mean_velocity(initial, body) - velocity_of_others(initial, body);
   const double speed = norm(velocity);
   if (speed == 0.0)
     throw RunError(

@@ -16,8 +16,11 @@ std::optional<Point> read_axis(Section& section, Space space);
 /// Throws RunError where the body does not move and no axis is given.
 Point flight_direction(const Whole& initial, std::int32_t body, const std::optional<Point>& axis);
 
-/// Mean velocity and centre of mass of a body.
+/// Mean velocity of a body, and that of all other bodies; zero where there is none.
 Point mean_velocity(const Whole& whole, std::int32_t body);
+Point velocity_of_others(const Whole& whole, std::int32_t body);
+
+/// Centre of mass of a body.
 Point centre_of_mass(const Whole& whole, std::int32_t body);
 
 struct Extent {

@@ -24,7 +24,7 @@ double exit_face(const Event& event, const Target& target, const std::vector<boo
     if (!rim[i]) continue;
     const double depth = target.thickness.high - dot(event.initial.position[place[i]], target.direction);
     if (depth > target.spacing) continue;  // half a spacing of matter lies beyond the outermost layer
-    sum += dot(event.last.position[i], target.direction);
+    sum += dot(target.seen(event.last.position[i]), target.direction);
     ++count;
   }
   if (count == 0) throw RunError("the rim of the target has no particle on its exit face to measure a lip from");
@@ -112,8 +112,9 @@ Lip lip_of(const Event& event, const Fragments& fragments, const Target& target)
   std::vector<std::vector<Place>> places(sectors.count());
   for (std::size_t i = 0; i < event.last.count(); ++i) {
     if (!hangs[fragments.label[i]]) continue;
-    const auto across = target.across(event.last.position[i]);
-    places[sectors.of(across)].push_back({dot(event.last.position[i], target.direction), norm(across)});
+    const auto place = target.seen(event.last.position[i]);
+    const auto across = target.across(place);
+    places[sectors.of(across)].push_back({dot(place, target.direction), norm(across)});
   }
   std::vector<Edge> edges;
   for (const auto& sector : places) {
@@ -146,7 +147,7 @@ Measure read_impact_diameter(Section& section, const Declared& declared) {
     const double error_of_mean = wide.radius_deviation / std::sqrt(static_cast<double>(wide.sectors));
     measured.uncertainty =
         target.spacing + wide.spread + 2.0 * error_of_mean + 2.0 * std::abs(wide.radius - narrow.radius);
-    const auto middle = target.on_line(wide.reach);
+    const auto middle = target.unseen(target.on_line(wide.reach));
     const auto side = wide.radius * side_of(target.direction);
     measured.drawing = Segment{middle - side, middle + side};
     return measured;
@@ -166,7 +167,8 @@ Measure read_lip_height(Section& section, const Declared& declared) {
     // deviation; the rest is what the choice of the link decides.
     measured.uncertainty = target.spacing + wide.reach_deviation + std::abs(wide.reach - narrow.reach);
     const auto side = wide.radius * side_of(target.direction);
-    measured.drawing = Segment{target.on_line(wide.face) + side, target.on_line(wide.reach) + side};
+    measured.drawing =
+        Segment{target.unseen(target.on_line(wide.face)) + side, target.unseen(target.on_line(wide.reach)) + side};
     return measured;
   };
 }

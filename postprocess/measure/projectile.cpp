@@ -71,19 +71,22 @@ Measure read_projectile_extension(Section& section, const Declared& declared) {
   };
 }
 
-/// Distance of the coherent projectile's leading edge from where that edge was at contact. Until then the projectile
-/// flies free, so that place is its initial edge moved by its velocity times the contact time; where no contact was
-/// recorded, the way counts from the start.
+/// Distance of the coherent projectile's leading edge from where that edge was at contact, as who flies along with the
+/// other bodies' initial velocity sees it. Until then the projectile flies free, so that place is its initial edge
+/// moved by its velocity times the contact time; where no contact was recorded, the way counts from the start.
 Measure read_projectile_travel(Section& section, const Declared& declared) {
   const auto body = read_body(section, "body", declared);
   const auto axis = read_axis(section, declared.space);
   return [=](const Event& event) {
+    const auto& initial = event.initial;
     const auto flight = final_flight(event, body, axis);
-    const auto start = extent_along(event.initial, flight.direction,
-                                    [&](std::size_t i) { return event.initial.body[i] == flight.body; });
-    const double speed = dot(mean_velocity(event.initial, flight.body), flight.direction);
-    const double flown = event.contact_time ? speed * (*event.contact_time - event.initial.time) : 0.0;
-    const double at_contact = start.high + flown;
+    const auto start =
+        extent_along(initial, flight.direction, [&](std::size_t i) { return initial.body[i] == flight.body; });
+    const double others = dot(velocity_of_others(initial, flight.body), flight.direction);
+    const double speed = dot(mean_velocity(initial, flight.body), flight.direction) - others;
+    const double flown = event.contact_time ? speed * (*event.contact_time - initial.time) : 0.0;
+    const double carried = others * (event.last.time - initial.time);
+    const double at_contact = start.high + flown + carried;
     Measured measured{flight.wide.high - at_contact, event.last.time, 0.0, {}};
     // Both edges are known to half a spacing; the rest is what the choice of the link length decides.
     measured.uncertainty = flight.spacing + std::abs(flight.wide.high - flight.narrow.high);

@@ -62,6 +62,7 @@ FindTarget read_target(Section& section, const Declared& declared, bool needs_ac
         target.smoothing_length = std::max(target.smoothing_length, event.last.smoothing_length[i]);
     target.thickness = extent_along(event.initial, target.direction,
                                     [&](std::size_t i) { return event.initial.body[i] == target.body; });
+    target.carried = (event.last.time - event.initial.time) * mean_velocity(event.initial, target.body);
     return target;
   };
 }

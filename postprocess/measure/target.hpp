@@ -14,11 +14,15 @@ struct Target {
   double spacing;           ///< of the target, in m
   double smoothing_length;  ///< of the target in the end, the largest, in m
   Extent thickness;         ///< of the target at the start, along the direction
+  Point carried;            ///< what the target's own velocity at the start makes of the way until the end
 
   Point across(const Point& x) const {
     const auto apart = x - centre;
     return apart - dot(apart, direction) * direction;
   }
+  /// A place of the last state as who flies along with the undisturbed target sees it, and back.
+  Point seen(const Point& x) const { return x - carried; }
+  Point unseen(const Point& x) const { return x + carried; }
   /// The point of the flight line that lies `along` far in the direction.
   Point on_line(double along) const { return centre + (along - dot(centre, direction)) * direction; }
 };

@@ -95,6 +95,20 @@ TEST_CASE("Crater: the hole in a plate has the diameter that was cut out, in eve
   }
 }
 
+TEST_CASE("Crater, extension and travel: a moving observer measures the same") {
+  // The plate flies against the disc, to the side, or after it.
+  const auto event = event_of({Space::plane_strain, {12e-3, 0.0, 30e-3, false}, false, as_it_is, 1e-6});
+  for (const auto& velocity : {Point{-1000.0, 0.0, 0.0}, {0.0, 2000.0, 0.0}, {5000.0, -300.0, 0.0}})
+    for (const std::string name : {"crater_diameter", "projectile_extension", "projectile_travel"}) {
+      INFO(name);
+      const auto seen = take(name, carried_along(event, velocity)), at_rest = take(name, event);
+      CHECK(seen.value == Approx(at_rest.value).epsilon(1e-9));
+      // The line is drawn where the bodies are seen; that of the travel stays on the flight line of the start.
+      const auto way = event.last.time * velocity, apart = seen.drawing->from - at_rest.drawing->from - way;
+      CHECK((name == "projectile_travel" ? std::abs(apart[0]) : norm(apart)) < 1e-9);
+    }
+}
+
 TEST_CASE("Crater: crumbs that hang in the hole do not close it") {
   const auto event = event_of({Space::plane_strain, {12e-3, 0.0, 30e-3, true}, false, as_it_is, {}});
   CHECK(take("crater_diameter", event).value == Approx(12e-3).margin(0.5 * spacing));

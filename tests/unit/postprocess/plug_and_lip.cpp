@@ -77,6 +77,16 @@ TEST_CASE("Debris, plug and lip: each has its value in every orientation, whole 
   }
 }
 
+TEST_CASE("Plug and lip: a moving observer measures the same, and other velocities") {
+  const auto event = event_of({});
+  const auto seen = carried_along(event, {-700.0, 300.0, 90.0});
+  for (const std::string name : {"plug_width", "impact_diameter", "lip_height"}) {
+    INFO(name);
+    CHECK(take(name, seen).value == Approx(take(name, event).value).epsilon(1e-9));
+  }
+  CHECK(take("debris_velocity", seen).value == Approx(257.0 - 700.0).epsilon(1e-9));
+}
+
 TEST_CASE("Debris: the uncertainty of its velocity holds how far its ends differ") {
   auto event = event_of(Plate{});
   CHECK(take("debris_velocity", event).uncertainty == Approx(0.0).margin(1e-9));

@@ -66,6 +66,17 @@ inline Snapshot snapshot_of(Space space, const std::vector<Placed>& placed, doub
   return snapshot;
 }
 
+/// The event as an observer sees it who moves with `velocity` the other way.
+inline Event carried_along(Event event, const Point& velocity) {
+  const auto way = (event.last.time - event.initial.time) * velocity;
+  for (auto* state : {&event.initial, &event.last})
+    for (auto& of_particle : state->velocity) of_particle += velocity;
+  for (auto& place : event.last.position) place += way;
+  event.fragments = find_fragments(event.last, link_of_support);
+  event.narrow_fragments = find_fragments(event.last, link_of_smoothing_length);
+  return event;
+}
+
 /// How the run below ends.
 struct Ending {
   double hole = 0.0;           ///< diameter that is cut out of the plate
