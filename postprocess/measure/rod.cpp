@@ -1,7 +1,7 @@
-// What is measured of a Taylor bar, in an axisymmetric space or a solid, along y about the origin: its length, the rear
-// part that stayed as it was, and the face that struck. Extents are those of the outermost particles. These lie on the
-// surface or up to half a spacing within it, at either end, as the arrangement has it, which the snapshots do not tell:
-// the uncertainty of an extent is a whole spacing.
+// What is measured of a Taylor bar, in an axisymmetric space or a solid: its length, the rear part that stayed as it
+// was, and the face that struck. The bar flies with its face ahead, along the line through its centre of mass. Extents
+// are those of the outermost particles. These lie on the surface or up to half a spacing within it, at either end, as
+// the arrangement has it, which the snapshots do not tell: the uncertainty of an extent is a whole spacing.
 
 #include <fmt/format.h>
 
@@ -10,7 +10,8 @@
 #include <limits>
 
 #include "core/error.hpp"
-#include "postprocess/measure/measure.hpp"
+#include "postprocess/measure/flight.hpp"
+#include "postprocess/measure/target.hpp"
 
 namespace tektite {
 namespace {
@@ -18,15 +19,21 @@ namespace {
 /// Radial strain below which the rod counts as undeformed (Batra and Zhang 2008, section 5).
 constexpr double undeformed_strain = 0.002;
 
+constexpr double on_axis = 1e-9;  ///< sine of an angle that is round-off
+
 struct RodPoint {
-  double start[2];  ///< radius and height in the initial state, m
+  double start[2];  ///< radius and height over the centre in the initial state, m
   double now[2];
 };
 
 struct Rod {
   std::vector<RodPoint> points;
+  Point centre;  ///< of mass at the start: heights count from there
+  Point up;      ///< unit vector from the face to the tail
   double spacing = 0.0;
   double time = 0.0;
+
+  Point at(double height, const Point& across = Point::zero()) const { return centre + height * up + across; }
 
   double extreme(bool start, int k, double sign) const {
     double best = -std::numeric_limits<double>::infinity();
@@ -35,22 +42,32 @@ struct Rod {
   }
 };
 
-Rod rod_of(const Event& event, const std::string& name) {
-  const auto& particles = event.last_snapshot.particles;
-  const bool solid = particles.space() == Space::solid;
-  if (!solid && particles.space() != Space::axisymmetric)
-    throw RunError(
-        fmt::format("a rod is measured in an axisymmetric space or a solid, not in {}", name_of(particles.space())));
-  const auto radius = [solid](const auto& x) { return solid ? std::hypot(x[0], x[2]) : x[0]; };
-  const auto place = places_in(event.initial, event.last);
-  const auto& body = event.last.bodies[static_cast<std::size_t>(event.last.body_named(name))];
+Rod rod_of(const Event& event, const std::string& name, const std::optional<Point>& axis) {
+  const auto space = event.last_snapshot.particles.space();
+  if (space != Space::solid && space != Space::axisymmetric)
+    throw RunError(fmt::format("a rod is measured in an axisymmetric space or a solid, not in {}", name_of(space)));
+  const auto& initial = event.initial;
+  const auto body = initial.body_named(name);
   Rod rod;
-  rod.spacing = body.spacing;
+  rod.centre = centre_of_mass(initial, body);
+  rod.up = -1.0 * flight_direction(initial, body, axis);
+  if (space == Space::axisymmetric) {
+    rod.centre[0] = 0.0;
+    if (std::abs(rod.up[0]) > on_axis) throw RunError("in an axisymmetric space a rod flies along y");
+  }
+  const auto point = [&](const Point& x) {
+    const auto apart = x - rod.centre;
+    const double height = dot(apart, rod.up);
+    return std::pair{norm(apart - height * rod.up), height};
+  };
+  const auto place = places_in(initial, event.last);
+  const auto& range = event.last.bodies[static_cast<std::size_t>(body)];
+  rod.spacing = range.spacing;
   rod.time = event.last.time;
-  for (auto i = body.range.begin; i < body.range.end; ++i) {
-    const auto& start = event.initial.position[place[i]];
-    const auto& now = event.last.position[i];
-    rod.points.push_back({{radius(start), start[1]}, {radius(now), now[1]}});
+  for (auto i = range.range.begin; i < range.range.end; ++i) {
+    const auto [start_radius, start_height] = point(initial.position[place[i]]);
+    const auto [radius, height] = point(event.last.position[i]);
+    rod.points.push_back({{start_radius, start_height}, {radius, height}});
   }
   return rod;
 }
@@ -67,16 +84,14 @@ std::vector<RodPoint> mantle_of(const Rod& rod) {
 
 double radial_strain(const RodPoint& p) { return std::abs(p.now[0] - p.start[0]) / p.start[0]; }
 
-Measured final_length(const Event& event, const std::string& name) {
-  const auto rod = rod_of(event, name);
+Measured final_length(const Rod& rod) {
   const double top = rod.extreme(false, 1, 1.0), bottom = rod.extreme(false, 1, -1.0);
-  const Segment drawn{{0.0, bottom, 0.0}, {0.0, top, 0.0}};
+  const Segment drawn{rod.at(bottom), rod.at(top)};
   return {top - bottom, rod.time, rod.spacing, drawn};
 }
 
 /// Along the mantle, to where the strain passes the limit; linear between two particles.
-Measured undeformed_length(const Event& event, const std::string& name) {
-  const auto rod = rod_of(event, name);
+Measured undeformed_length(const Rod& rod) {
   const auto mantle = mantle_of(rod);
   std::size_t k = 0;
   while (k < mantle.size() && radial_strain(mantle[k]) < undeformed_strain) ++k;
@@ -89,8 +104,7 @@ Measured undeformed_length(const Event& event, const std::string& name) {
   return {mantle.front().now[1] - end, rod.time, rod.spacing, {}};
 }
 
-Measured face_diameter(const Event& event, const std::string& name) {
-  const auto rod = rod_of(event, name);
+Measured face_diameter(const Rod& rod) {
   const double face = rod.extreme(true, 1, -1.0);
   double radius = 0.0, height = 0.0;
   for (const auto& p : rod.points)
@@ -98,13 +112,15 @@ Measured face_diameter(const Event& event, const std::string& name) {
       radius = p.now[0];
       height = p.now[1];
     }
-  return {2.0 * radius, rod.time, rod.spacing, Segment{{-radius, height, 0.0}, {radius, height, 0.0}}};
+  const auto side = radius * side_of(rod.up);
+  return {2.0 * radius, rod.time, rod.spacing, Segment{rod.at(height, -1.0 * side), rod.at(height, side)}};
 }
 
-template <Measured (*measure)(const Event&, const std::string&)>
+template <Measured (*measure)(const Rod&)>
 Measure read_rod(Section& section, const Declared& declared) {
   const auto body = read_body(section, "body", declared);
-  return [=](const Event& event) { return measure(event, body); };
+  const auto axis = read_axis(section, declared.space);
+  return [=](const Event& event) { return measure(rod_of(event, body, axis)); };
 }
 
 }  // namespace

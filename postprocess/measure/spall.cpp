@@ -1,6 +1,7 @@
 // What an impact leaves of a brittle plate: how much of it has failed, and how fast its back face flies off.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/error.hpp"
@@ -40,8 +41,9 @@ Measure read_damaged_area(Section& section, const Declared& declared) {
 }
 
 /// Largest velocity along the flight of the projectile on the plate's back face in the last snapshot: the mean over the
-/// particles that started on that face within two smoothing lengths of the fastest one. The uncertainty is what the
-/// fastest particle by itself differs from it. Keys: body, projectile, axis (the direction of flight).
+/// particles that started on that face within two smoothing lengths of the fastest one. The face is known to a spacing:
+/// the uncertainty is what the fastest of these particles, and the mean of the layer behind them, differ from it.
+/// Keys: body, projectile, axis (the direction of flight).
 Measure read_spall_velocity(Section& section, const Declared& declared) {
   const auto plate = read_body(section, "body", declared);
   const auto projectile = read_body(section, "projectile", declared);
@@ -54,25 +56,26 @@ Measure read_spall_velocity(Section& section, const Declared& declared) {
     const auto extent = extent_along(initial, direction, [&](std::size_t i) { return initial.body[i] == body; });
     const double spacing = initial.bodies[static_cast<std::size_t>(body)].spacing;
     const auto place = places_in(initial, last);
-    const auto on_face = [&](std::size_t i) {
-      return last.body[i] == body && dot(initial.position[place[i]], direction) > extent.high - spacing;
+    const auto layer = [&](std::size_t i) {  // 0 is the face
+      return static_cast<std::size_t>((extent.high - dot(initial.position[place[i]], direction)) / spacing);
     };
     std::size_t fastest = 0;
     double most = -limits::infinite;
     for (std::size_t i = 0; i < last.count(); ++i) {
       const double speed = dot(last.velocity[i], direction);
-      if (!on_face(i) || speed <= most) continue;
+      if (last.body[i] != body || layer(i) > 0 || speed <= most) continue;
       most = speed;
       fastest = i;
     }
-    double sum = 0.0, count = 0.0;
+    std::array<double, 2> sum{}, count{};  // of the face, and of the layer behind it
     for (std::size_t i = 0; i < last.count(); ++i) {
       const auto apart = initial.position[place[i]] - initial.position[place[fastest]];
-      if (!on_face(i) || norm(apart) > 2.0 * last.smoothing_length[fastest]) continue;
-      sum += dot(last.velocity[i], direction);
-      ++count;
+      if (last.body[i] != body || layer(i) > 1 || norm(apart) > 2.0 * last.smoothing_length[fastest]) continue;
+      sum[layer(i)] += dot(last.velocity[i], direction);
+      ++count[layer(i)];
     }
-    return Measured{sum / count, last.time, most - sum / count, {}};
+    const double mean = sum[0] / count[0], behind = count[1] > 0.0 ? sum[1] / count[1] : mean;
+    return Measured{mean, last.time, std::max(most - mean, std::abs(behind - mean)), {}};
   };
 }
 

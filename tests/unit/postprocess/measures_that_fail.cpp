@@ -76,9 +76,11 @@ TEST_CASE("Measures that fail: a ring that has closed") {
 }
 
 TEST_CASE("Measures that fail: a rod whose tail is deformed, and one in a plane") {
-  const std::string scene = "[measure.undeformed_length]\nbody = 'body'\n";
+  const std::string flying = "[measure.undeformed_length]\nbody = 'body'\n", scene = flying + "axis = [0, -1]\n";
   CHECK_THROWS_WITH(take(scene, Space::axisymmetric, row(Space::axisymmetric, 1.5, 0.0)),
                     Contains("the tail itself is deformed"));
+  CHECK_THROWS_WITH(take(flying, Space::axisymmetric, row(Space::axisymmetric, 1.5, 0.0)),
+                    Contains("a rod flies along y"));
   CHECK_THROWS_WITH(take(scene, Space::plane_strain, row(Space::plane_strain, 1.5, 0.0)),
                     Contains("in an axisymmetric space or a solid, not in plane-strain"));
 }
