@@ -22,6 +22,9 @@ constexpr double next_to_nothing = 1e-3;
 /// A run whose time step has fallen to this part of its first one does not come to an end any more.
 constexpr double collapse = 1e-6;
 
+/// What a scheme makes up of energy feeds on itself when it is so many times what there was at the start.
+constexpr double runaway = 10.0;
+
 bool any_clamped(const Particles& particles) {
   return particles.has(Field::clamped) &&
          std::ranges::any_of(particles.integers(Field::clamped), [](std::int64_t clamped) { return clamped != 0; });
@@ -143,7 +146,18 @@ double Simulation::energy_drift(const Ledger& now) const {
   return scale == 0.0 ? 0.0 : (now.total() - initial_energy_) / scale;
 }
 
-void Simulation::note(const Ledger& line) { largest_energy_ = std::max(largest_energy_, line.at_play()); }
+void Simulation::note(const Ledger& line) {
+  largest_energy_ = std::max(largest_energy_, line.at_play());
+  const double made_up = line.total() - initial_energy_;
+  // What starts from next to nothing may exchange far more than that, and errs by a part of it; what pulls at a body by
+  // clamped particles that move does work on it.
+  if (initial_energy_ > 0.0 && !any_clamped(particles()) && made_up > runaway * initial_energy_ &&
+      made_up > 0.5 * line.at_play())
+    throw RunError(
+        fmt::format("energy-runaway: step {}, t = {}: the scheme has made up {:.1f} times the energy of the start; a "
+                    "smaller scheme.courant, more viscosity, a finer spacing or another scheme may mend it",
+                    steps_, shown_time(time_), made_up / initial_energy_));
+}
 
 double Simulation::momentum_drift(const Ledger& now) const {
   if (any_clamped(particles())) return 0.0;

@@ -47,7 +47,7 @@ class Simulation {
   Ledger ledger() const { return scheme_->ledger(); }
   const Profile& profile() const { return profile_; }
 
-  /// Keeps what the energies of a line of the history tell the drift.
+  /// Keeps what the energies of a line of the history tell the drift. Throws RunError where they have run away.
   void note(const Ledger& line);
 
   /// The state as it can be saved; `state` takes what others want to keep.

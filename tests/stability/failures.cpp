@@ -107,3 +107,22 @@ TEST_CASE("Time step: one that collapses ends the run by that name") {
                    density));
   CHECK_THROWS_WITH(take_steps(simulation, 1000), Catch::StartsWith("dt-collapse: "));
 }
+
+TEST_CASE("Energy: one that runs away ends the run by that name") {
+  const auto bar_at = [](double speed) {
+    return simulation_of("time.end = 1.0\n" + metal,
+                         particles_on(Space::line, {{"bar", "metal", spacing, {0.0}, {40}, {speed}}}, density));
+  };
+  auto flying = bar_at(100.0);
+  auto ledger = flying.ledger();
+  ledger.kinetic *= 10.0;
+  CHECK_NOTHROW(flying.note(ledger));
+  ledger.kinetic *= 1.2;
+  CHECK_THROWS_WITH(flying.note(ledger), Catch::StartsWith("energy-runaway: "));
+  // A bar that hardly moves at the start and is pressed: what it exchanges later is no error, nor a part of that.
+  auto slow = bar_at(1e-6);
+  ledger = slow.ledger();
+  ledger.kinetic += 1.05;
+  ledger.internal -= 1.0;
+  CHECK_NOTHROW(slow.note(ledger));
+}
