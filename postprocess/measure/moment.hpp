@@ -1,10 +1,13 @@
 #pragma once
 // The moment that a measure looks at: the last snapshot, or with the key `time` the one nearest to it.
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <optional>
 #include <utility>
 
+#include "core/error.hpp"
 #include "postprocess/measure/measure.hpp"
 
 namespace tektite {
@@ -15,10 +18,14 @@ inline std::optional<double> read_moment(Section& section) {
   return section.quantity("time", dimension::time, limits::not_negative);
 }
 
-/// What work(snapshot, whole) gives of the moment.
+/// What work(snapshot, whole) gives of the moment. Throws RunError where the run has not come so far.
 template <class Work>
 Measured measured_at(const Event& event, std::optional<double> time, const Work& work) {
   if (!time) return work(event.last_snapshot, event.last);
+  constexpr double rounding = 1e-9;
+  if (*time > (1.0 + rounding) * event.last.time)
+    throw RunError(
+        fmt::format("the run ends at {} s, before the {} s at which it is looked for", event.last.time, *time));
   std::optional<Snapshot> nearest;
   for (const auto& path : event.snapshots) {
     auto snapshot = read_snapshot(path);

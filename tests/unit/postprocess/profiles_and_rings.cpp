@@ -62,6 +62,11 @@ TEST_CASE("Rings: the radii are those of the surfaces, at the end or at a time")
   CHECK(values.at("symmetry_error").value == Approx(0.0).margin(1e-12));
   CHECK(values.at("early").value == Approx(8e-3).epsilon(1e-12));
   CHECK(values.at("early").time == 3.9e-5);
+  // A run that was stopped has no state of then.
+  event.snapshots.pop_back();
+  event.last.time = 3.9e-5;
+  CHECK_THROWS_WITH(measured(ring_scene, {Space::plane_strain, {"ring"}, {}}, event),
+                    Catch::Contains("the run ends at 3.9e-05 s, before the 4e-05 s at which it is looked for"));
 }
 
 TEST_CASE("Rings: the symmetry error is the spread of the innermost particles' radii") {
