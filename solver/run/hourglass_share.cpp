@@ -15,11 +15,11 @@ constexpr double reach = 1.6;
 /// Of the determinant that the same trace has in all directions alike: neighbours below it do not span the space.
 constexpr double flat = 1e-3;
 
-/// Of the kinetic energy: a body that flies undisturbed has as little in its bonds, seen and unseen.
-constexpr double round_off = 1e-9;
+/// Square of a strain that is round-off of places: a body that flies far does not deform by it.
+constexpr double round_off = 1e-18;
 
 struct Energies {
-  double unseen = 0.0, seen = 0.0, kinetic = 0.0;  ///< J
+  double unseen = 0.0, seen = 0.0;  ///< J
 };
 
 template <int D>
@@ -46,7 +46,6 @@ class Bonds {
         [](Energies& whole, const Energies& part) {
           whole.unseen += part.unseen;
           whole.seen += part.seen;
-          whole.kinetic += part.kinetic;
         });
   }
 
@@ -64,7 +63,7 @@ class Bonds {
       }
   }
 
-  /// D Σ|e|²/Σ|Ξ|², zero where the neighbours do not span the space.
+  /// D Σ|e|²/Σ|Ξ|², zero where the neighbours do not span the space and where it is round-off.
   double mismatch(std::size_t n) const {
     auto moment = Tensor<double, D>::zero(), motion = Tensor<double, D>::zero();
     for_each_bond(n, [&](const auto& bond, const auto& u) {
@@ -82,15 +81,14 @@ class Bonds {
       const auto error = times(gradient, bond) - u;
       missed += dot(error, error);
     });
-    return D * missed / trace(moment);
+    const double mismatch = D * missed / trace(moment);
+    return mismatch > round_off ? mismatch : 0.0;
   }
 
   void add(Energies& energies, std::size_t n) const {
     const auto i = members_[n];
     const double mass = particles_.scalars(Field::mass)[i], volume = mass / particles_.scalars(Field::density)[i];
     const double pressure = particles_.scalars(Field::pressure)[i];
-    const auto& v = particles_.vectors<D>(Field::velocity)[i];
-    energies.kinetic += 0.5 * mass * dot(v, v);
     const auto& s = particles_.symmetrics<D>(Field::deviatoric_stress)[i];
     energies.unseen += volume * shear_modulus_ * mismatch(n);
     energies.seen += volume * (0.5 * pressure * pressure / bulk_modulus_ + 0.25 * contract(s, s) / shear_modulus_);
@@ -108,7 +106,7 @@ class Bonds {
 template <int D>
 double share_in(const Particles& particles, const Body& body, double shear_modulus, double bulk_modulus) {
   const auto energies = Bonds<D>(particles, body, shear_modulus, bulk_modulus).sum();
-  return energies.unseen > round_off * energies.kinetic ? energies.unseen / (energies.unseen + energies.seen) : 0.0;
+  return energies.unseen > 0.0 ? energies.unseen / (energies.unseen + energies.seen) : 0.0;
 }
 
 }  // namespace

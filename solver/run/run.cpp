@@ -235,6 +235,7 @@ RunSettings settings_of(const Snapshot& snapshot, const std::string& file, Docum
   check_bodies(settings, snapshot.particles, file);
   if (snapshot.time() == 0.0) {
     const auto& particles = snapshot.particles;
+    check_anvil(document, settings, particles);
     check_probes(document, settings, particles);
     const auto probe_columns = Probes(settings.probes, particles).columns(particles);
     check_stop_conditions(document, settings.stops, particles, number_columns(particles.space(), probe_columns));

@@ -113,6 +113,21 @@ void check_bodies(const RunSettings& settings, const Particles& particles, const
       throw InputError({{file, 0}, "/bodies/" + body.name, body.material, "the scene has no such material", {}});
 }
 
+void check_anvil(Document& document, const RunSettings& settings, const Particles& particles) {
+  if (!settings.scheme.anvil) return;
+  constexpr double rounding = 1e-6;  // of the spacing
+  const auto& [axis, at, side] = *settings.scheme.anvil;
+  const auto position = particles.reals(Field::position);
+  const auto width = static_cast<std::size_t>(particles.dimensions());
+  for (const auto& body : particles.bodies())
+    for (std::size_t i = body.range.begin; i < body.range.end; ++i)
+      if (side * (position[i * width + static_cast<std::size_t>(axis)] - at) < -rounding * body.spacing)
+        throw document.root().section("anvil").fault(
+            "at",
+            fmt::format("the body {} starts behind the anvil, which would move its particles onto itself", body.name),
+            "bodies on the side that `keep` tells");
+}
+
 void check_probes(Document& document, const RunSettings& settings, const Particles& particles) {
   const auto position = particles.reals(Field::position);
   const auto width = static_cast<std::size_t>(particles.dimensions());

@@ -40,6 +40,9 @@ RunSettings read_run_settings(Document& document);
 /// Whether the bodies of a particle file and the materials of its scene fit together; throws InputError.
 void check_bodies(const RunSettings& settings, const Particles& particles, const std::string& file);
 
+/// Whether no particle starts behind the anvil; throws InputError.
+void check_anvil(Document& document, const RunSettings& settings, const Particles& particles);
+
 /// Whether every probe lies in its body at the start: within a spacing of a particle. Throws InputError.
 void check_probes(Document& document, const RunSettings& settings, const Particles& particles);
 

@@ -107,6 +107,14 @@ TEST_CASE("Hourglass control: a linear motion feels none of it, at surfaces neit
   CHECK(first_change(moving_ball(Space::plane_strain, 6.5, noise)) > 1e-2);
 }
 
+TEST_CASE("Hourglass warning: a body that flies as one has nothing of them, however far it has come") {
+  auto particles =
+      particles_on(Space::plane_strain, {{"square", "metal", spacing, {0.0, 0.0}, {10, 10}, {333.0, -77.0}}}, density);
+  auto simulation = simulation_of("time.end = 2e-4\n" + metal_scene(0.0), std::move(particles));
+  run_to_the_end(simulation);
+  CHECK(share_of(simulation) == 0.0);
+}
+
 TEST_CASE("Hourglass control: momentum and angular momentum are kept, and the energy as the step grows shorter") {
   const auto drift = [](double courant, bool& sane) {
     auto particles = moving_ball(Space::plane_strain, 6.5, [](const double*, double* v, std::size_t i) {
