@@ -115,13 +115,13 @@ void check_bodies(const RunSettings& settings, const Particles& particles, const
 
 void check_anvil(Document& document, const RunSettings& settings, const Particles& particles) {
   if (!settings.scheme.anvil) return;
-  constexpr double rounding = 1e-6;  // of the spacing
+  constexpr double misfit = 0.5;  // of the spacing: by so much a lattice may lie off the surface that is at the anvil
   const auto& [axis, at, side] = *settings.scheme.anvil;
   const auto position = particles.reals(Field::position);
   const auto width = static_cast<std::size_t>(particles.dimensions());
   for (const auto& body : particles.bodies())
     for (std::size_t i = body.range.begin; i < body.range.end; ++i)
-      if (side * (position[i * width + static_cast<std::size_t>(axis)] - at) < -rounding * body.spacing)
+      if (side * (position[i * width + static_cast<std::size_t>(axis)] - at) < -misfit * body.spacing)
         throw document.root().section("anvil").fault(
             "at",
             fmt::format("the body {} starts behind the anvil, which would move its particles onto itself", body.name),

@@ -40,7 +40,7 @@ RunSettings read_run_settings(Document& document);
 /// Whether the bodies of a particle file and the materials of its scene fit together; throws InputError.
 void check_bodies(const RunSettings& settings, const Particles& particles, const std::string& file);
 
-/// Whether no particle starts behind the anvil; throws InputError.
+/// Whether no particle starts behind the anvil by more than half a spacing; throws InputError.
 void check_anvil(Document& document, const RunSettings& settings, const Particles& particles);
 
 /// Whether every probe lies in its body at the start: within a spacing of a particle. Throws InputError.
