@@ -25,7 +25,7 @@ Measured measured_at(const Event& event, std::optional<double> time, const Work&
   constexpr double rounding = 1e-9;
   if (*time > (1.0 + rounding) * event.last.time)
     throw RunError(
-        fmt::format("the run ends at {} s, before the {} s at which it is looked for", event.last.time, *time));
+        fmt::format("the run ends at {:g} s, before the {:g} s at which it is looked for", event.last.time, *time));
   std::optional<Snapshot> nearest;
   for (const auto& path : event.snapshots) {
     auto snapshot = read_snapshot(path);
