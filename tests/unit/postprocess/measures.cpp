@@ -74,6 +74,20 @@ TEST_CASE("Extension and travel: loose crumbs far ahead do not count") {
   }
 }
 
+TEST_CASE("Crater: it is as wide where the target moves too, and is drawn where that has come to") {
+  const Case of{Space::plane_strain, {12e-3, 0.0, 20e-3, false}, false, as_it_is, {}};
+  const auto at_rest = event_of(of);
+  auto moving = at_rest;
+  const Point velocity{-700.0, 300.0, 0.0}, way = (moving.last.time - moving.initial.time) * velocity;
+  for (auto* whole : {&moving.initial, &moving.last})
+    for (auto& v : whole->velocity) v += velocity;
+  for (auto& x : moving.last.position) x += way;
+  const auto here = take("crater_diameter", at_rest), there = take("crater_diameter", moving);
+  CHECK(there.value == Approx(here.value).epsilon(1e-9));
+  CHECK(there.uncertainty == Approx(here.uncertainty).epsilon(1e-9));
+  CHECK(norm(there.drawing->from - (here.drawing->from + way)) < 1e-9);
+}
+
 TEST_CASE("Travel: counts from where the leading edge was at contact") {
   Case of{Space::plane_strain, {0.0, 0.0, 20e-3, false}, false, turned_by_90_degrees, 1e-6};
   CHECK(take("projectile_travel", event_of(of)).value == Approx(25e-3).epsilon(1e-9));
