@@ -7,6 +7,7 @@
 #include <charconv>
 
 #include "core/error.hpp"
+#include "run/angular_momentum.hpp"
 
 namespace tektite {
 namespace {
@@ -63,12 +64,12 @@ std::vector<std::string> number_columns(Space space, const std::vector<std::stri
   return names;
 }
 
-std::vector<double> numbers_of(const Ledger& ledger, const AngularMomentum& angular_momentum,
+std::vector<double> numbers_of(const Ledger& ledger, const std::vector<double>& angular_momentum,
                                const std::vector<double>& probes) {
   std::vector<double> numbers{ledger.kinetic, ledger.internal,  ledger.plastic, ledger.viscous,
                               ledger.contact, ledger.hourglass, ledger.total()};
   numbers.insert(numbers.end(), ledger.momentum.begin(), ledger.momentum.end());
-  numbers.insert(numbers.end(), angular_momentum.components.begin(), angular_momentum.components.end());
+  numbers.insert(numbers.end(), angular_momentum.begin(), angular_momentum.end());
   numbers.insert(numbers.end(), probes.begin(), probes.end());
   return numbers;
 }

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/write_beside.hpp"
-#include "run/angular_momentum.hpp"
 #include "schemes/scheme.hpp"
 
 namespace tektite {
@@ -42,7 +41,7 @@ class History {
 /// Names of a line's numbers.
 std::vector<std::string> number_columns(Space space, const std::vector<std::string>& probe_columns);
 /// A line's numbers.
-std::vector<double> numbers_of(const Ledger& ledger, const AngularMomentum& angular_momentum,
+std::vector<double> numbers_of(const Ledger& ledger, const std::vector<double>& angular_momentum,
                                const std::vector<double>& probes);
 
 }  // namespace tektite

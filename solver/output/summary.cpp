@@ -56,7 +56,7 @@ RunSummary summarise(const Simulation& simulation, const RunTimer& timer, bool i
   const auto ledger = simulation.ledger();
   summary.energy_drift = simulation.energy_drift(ledger);
   summary.momentum_drift = simulation.momentum_drift(ledger);
-  summary.angular_momentum_drift = simulation.angular_momentum_drift(angular_momentum_of(simulation.particles()));
+  summary.angular_momentum_drift = simulation.angular_momentum_drift();
   summary.interrupted = interrupted;
   summary.warnings = std::move(warnings);
   if (std::abs(summary.energy_drift) > notable_drift) summary.warnings.insert("energy-drift");

@@ -1,17 +1,69 @@
 #include "run/angular_momentum.hpp"
 
-#include <Eigen/Dense>
-
-#include "core/space.hpp"
+#include "core/tensor.hpp"
+#include "parallel/reduce.hpp"
 
 namespace tektite {
 namespace {
 
-/// A particle's vector in the space solid; components that it has not are zero.
-Eigen::Vector3d vector_of(std::span<const double> field, std::size_t particle, int dimensions) {
-  Eigen::Vector3d v = Eigen::Vector3d::Zero();
-  for (int k = 0; k < dimensions; ++k) v[k] = field[particle * static_cast<std::size_t>(dimensions) + k];
-  return v;
+/// Places are taken from the first particle, so that far from the origin nothing is lost to round-off.
+template <int D>
+struct Moments {
+  double mass = 0.0;
+  Vector<double, D> position = Vector<double, D>::zero(), velocity = Vector<double, D>::zero();  ///< times the mass
+  Vector<double, 3> turning = Vector<double, 3>::zero();                                         ///< m x × v
+
+  Moments& operator+=(const Moments& part) {
+    mass += part.mass;
+    position += part.position;
+    velocity += part.velocity;
+    turning += part.turning;
+    return *this;
+  }
+};
+
+template <int D>
+Vector<double, 3> cross(const Vector<double, D>& a, const Vector<double, D>& b) {
+  auto product = Vector<double, 3>::zero();
+  if constexpr (D == 3) {
+    product[0] = a[1] * b[2] - a[2] * b[1];
+    product[1] = a[2] * b[0] - a[0] * b[2];
+  }
+  product[2] = a[0] * b[1] - a[1] * b[0];
+  return product;
+}
+
+template <int D>
+Moments<D> moments_of(const Particles& p) {
+  const double* mass = p.scalars(Field::mass);
+  const auto *x = p.vectors<D>(Field::position), *v = p.vectors<D>(Field::velocity);
+  return reduce(
+      p.count(), Moments<D>{},
+      [=](Moments<D>& sums, std::size_t i) {
+        const auto arm = x[i] - x[0];
+        sums += {mass[i], mass[i] * arm, mass[i] * v[i], mass[i] * cross(arm, v[i])};
+      },
+      [](Moments<D>& whole, const Moments<D>& part) { whole += part; });
+}
+
+template <int D>
+std::vector<double> about_centre(const Particles& p) {
+  const auto moments = moments_of<D>(p);
+  const auto of_centre = (1.0 / moments.mass) * cross(moments.position, moments.velocity);
+  std::vector<double> components;
+  for (const int axis : axes_of_turning(p.space())) components.push_back(moments.turning[axis] - of_centre[axis]);
+  return components;
+}
+
+template <int D>
+double largest(const Particles& p) {
+  const auto moments = moments_of<D>(p);
+  const double* mass = p.scalars(Field::mass);
+  const auto *x = p.vectors<D>(Field::position), *v = p.vectors<D>(Field::velocity);
+  const auto centre = x[0] + (1.0 / moments.mass) * moments.position, mean = (1.0 / moments.mass) * moments.velocity;
+  return reduce(
+      p.count(), 0.0, [&](double& sum, std::size_t i) { sum += mass[i] * norm(x[i] - centre) * norm(v[i] - mean); },
+      [](double& whole, double part) { whole += part; });
 }
 
 }  // namespace
@@ -28,31 +80,14 @@ std::vector<int> axes_of_turning(Space space) {
   }
 }
 
-AngularMomentum angular_momentum_of(const Particles& particles) {
-  const auto axes = axes_of_turning(particles.space());
-  if (axes.empty()) return {};
-  const int dimensions = particles.dimensions();
-  const auto mass = particles.reals(Field::mass), position = particles.reals(Field::position),
-             velocity = particles.reals(Field::velocity);
-  double whole = 0.0;
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero(), mean = Eigen::Vector3d::Zero();
-  for (std::size_t i = 0; i < particles.count(); ++i) {
-    whole += mass[i];
-    centre += mass[i] * vector_of(position, i, dimensions);
-    mean += mass[i] * vector_of(velocity, i, dimensions);
-  }
-  centre /= whole;
-  mean /= whole;
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  AngularMomentum result;
-  for (std::size_t i = 0; i < particles.count(); ++i) {
-    const Eigen::Vector3d arm = vector_of(position, i, dimensions) - centre;
-    const Eigen::Vector3d momentum = mass[i] * (vector_of(velocity, i, dimensions) - mean);
-    sum += arm.cross(momentum);
-    result.largest += arm.norm() * momentum.norm();
-  }
-  for (const int axis : axes) result.components.push_back(sum[axis]);
-  return result;
+std::vector<double> angular_momentum_of(const Particles& p) {
+  if (axes_of_turning(p.space()).empty()) return {};
+  return p.dimensions() == 3 ? about_centre<3>(p) : about_centre<2>(p);
+}
+
+double largest_angular_momentum_of(const Particles& p) {
+  if (axes_of_turning(p.space()).empty()) return 0.0;
+  return p.dimensions() == 3 ? largest<3>(p) : largest<2>(p);
 }
 
 }  // namespace tektite

@@ -20,6 +20,7 @@
 #include "output/progress.hpp"
 #include "output/summary.hpp"
 #include "parallel/threads.hpp"
+#include "run/angular_momentum.hpp"
 #include "run/contact_at_start.hpp"
 #include "run/floating_point_traps.hpp"
 #include "run/simulation.hpp"

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "output/progress.hpp"
+#include "run/angular_momentum.hpp"
 
 namespace tektite {
 namespace {
@@ -49,10 +50,9 @@ Simulation::Simulation(Snapshot snapshot, RunSettings settings, bool resumed)
     momentum_scale_ = state.at("momentum_scale");
     for (int k = 0; k < particles.dimensions(); ++k)
       initial_momentum_.push_back(state.at(fmt::format("initial_momentum_{}", "xyz"[k])));
-    auto& angular = initial_angular_momentum_;
     for (const int axis : axes_of_turning(particles.space()))
-      angular.components.push_back(state.at(fmt::format("initial_angular_momentum_{}", "xyz"[axis])));
-    angular.largest = state.at("largest_angular_momentum");
+      initial_angular_momentum_.push_back(state.at(fmt::format("initial_angular_momentum_{}", "xyz"[axis])));
+    largest_angular_momentum_ = state.at("largest_angular_momentum");
     scheme_->restore(state);
     return;
   }
@@ -62,6 +62,7 @@ Simulation::Simulation(Snapshot snapshot, RunSettings settings, bool resumed)
   note(ledger);
   initial_momentum_ = ledger.momentum;
   initial_angular_momentum_ = angular_momentum_of(particles);
+  largest_angular_momentum_ = largest_angular_momentum_of(particles);
   const auto mass = particles.reals(Field::mass);
   momentum_scale_ = std::sqrt(2.0 * std::accumulate(mass.begin(), mass.end(), 0.0) * ledger.kinetic);
   look_for_contact();
@@ -172,21 +173,21 @@ double Simulation::momentum_drift(const Ledger& now) const {
   return momentum_scale_ == 0.0 ? std::sqrt(square) : std::sqrt(square) / momentum_scale_;
 }
 
-std::optional<double> Simulation::angular_momentum_drift(const AngularMomentum& now) const {
+std::optional<double> Simulation::angular_momentum_drift() const {
   if (any_clamped(particles())) return std::nullopt;
   auto planes = settings_.scene.symmetry;
   if (settings_.scheme.anvil) planes.push_back(*settings_.scheme.anvil);
-  const auto& before = initial_angular_momentum_;
+  const auto now = angular_momentum_of(particles());
   const auto axes = axes_of_turning(particles().space());
   std::optional<double> square;
   for (std::size_t k = 0; k < axes.size(); ++k) {
     const auto across = [axis = axes[k]](const SymmetryPlane& plane) { return plane.axis == axis; };
     if (!std::ranges::all_of(planes, across)) continue;
-    const double change = now.components[k] - before.components[k];
+    const double change = now[k] - initial_angular_momentum_[k];
     square = square.value_or(0.0) + change * change;
   }
   if (!square) return std::nullopt;
-  const double scale = std::max(before.largest, now.largest);
+  const double scale = std::max(largest_angular_momentum_, largest_angular_momentum_of(particles()));
   return scale == 0.0 ? 0.0 : std::sqrt(*square) / scale;
 }
 
@@ -219,8 +220,8 @@ const Snapshot& Simulation::save(const std::map<std::string, double>& others) {
     state[fmt::format("initial_momentum_{}", "xyz"[k])] = initial_momentum_[k];
   const auto axes = axes_of_turning(snapshot_.particles.space());
   for (std::size_t k = 0; k < axes.size(); ++k)
-    state[fmt::format("initial_angular_momentum_{}", "xyz"[axes[k]])] = initial_angular_momentum_.components[k];
-  state["largest_angular_momentum"] = initial_angular_momentum_.largest;
+    state[fmt::format("initial_angular_momentum_{}", "xyz"[axes[k]])] = initial_angular_momentum_[k];
+  state["largest_angular_momentum"] = largest_angular_momentum_;
   scheme_->save(state);
   return snapshot_;
 }

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "core/snapshot.hpp"
-#include "run/angular_momentum.hpp"
 #include "run/run_settings.hpp"
 #include "schemes/scheme.hpp"
 
@@ -39,7 +38,7 @@ class Simulation {
   double momentum_drift(const Ledger& now) const;
   /// Over what it would be if all turned one way, now or at the start; about the axes about which neither symmetry
   /// planes nor the anvil turn anything. None where no such axis is left, or particles are clamped.
-  std::optional<double> angular_momentum_drift(const AngularMomentum& now) const;
+  std::optional<double> angular_momentum_drift() const;
 
   const Particles& particles() const { return snapshot_.particles; }
   const RunSettings& settings() const { return settings_; }
@@ -77,7 +76,8 @@ class Simulation {
   double largest_energy_ = 0.0;  ///< at play, of the lines so far
   double momentum_scale_ = 0.0;
   std::vector<double> initial_momentum_;
-  AngularMomentum initial_angular_momentum_;
+  std::vector<double> initial_angular_momentum_;
+  double largest_angular_momentum_ = 0.0;  ///< at the start
 };
 
 }  // namespace tektite
