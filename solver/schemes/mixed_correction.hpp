@@ -59,42 +59,17 @@ class MixedCorrection {
   template <class Record>
   std::size_t find(const PairList& pairs, const Mirror<D>& mirror, std::vector<Record>& records, std::size_t count,
                    const std::uint8_t* counted = nullptr) {
-    kernel_.assign(count, 1.0);  // of who has no list
-    neighbours_.assign(count, 0.0);
-    gradient_.resize(count);
-    moment_.resize(count);
-    CorrectionSums<Kernel, D, Record> sums{records.data(),   false,         kernel_.data(), neighbours_.data(),
-                                           gradient_.data(), moment_.data()};
-    for_each_pair(pairs, sums);
-    for_each(count, [&](std::size_t i) {
-      records[i].correction.shift = (1.0 / kernel_[i]) * gradient_[i];
-      for (int k = 0; k < D; ++k) records[i].correction.matrix(k, k) = 1.0 / kernel_[i];
-    });
-    mirror.fill(records, count);
-    sums.second = true;
-    for_each_pair(pairs, sums);
-    const auto finish = [&](std::size_t& without, std::size_t i) {
-      auto& correction = records[i].correction;
-      const double determinant_of_m = determinant(moment_[i]);
-      if (neighbours_[i] > 1.0 && determinant_of_m > least_moment_) {
-        const auto c = cofactor(moment_[i]);
-        for (int a = 0; a < D; ++a)
-          for (int b = 0; b < D; ++b) correction.matrix(a, b) = c(b, a) / determinant_of_m / kernel_[i];
-      } else {
-        correction = Correction<double, D>::none();
-        without += !counted || counted[i];
-      }
-    };
-    const auto without = reduce(count, std::size_t{0}, finish, [](auto& whole, auto part) { whole += part; });
+    without_.assign(count, 1);  // also who has no list
+    for_each_pair(pairs, CorrectionSums<Kernel, D, Record>{records.data(), least_moment_, without_.data()});
+    const auto tell = [&](std::size_t& without, std::size_t i) { without += without_[i] && (!counted || counted[i]); };
+    const auto without = reduce(count, std::size_t{0}, tell, [](auto& whole, auto part) { whole += part; });
     mirror.fill(records, count);
     return without;
   }
 
  private:
   double least_moment_;
-  std::vector<double> kernel_, neighbours_;
-  std::vector<Vector<double, D>> gradient_;
-  std::vector<Tensor<double, D>> moment_;
+  std::vector<std::uint8_t> without_;  ///< a byte each
 };
 
 }  // namespace tektite
