@@ -16,12 +16,34 @@ namespace {
 
 namespace fs = std::filesystem;
 
-nlohmann::ordered_json read_measurements(const fs::path& path) {
+using Json = nlohmann::ordered_json;
+
+bool has_number(const Json& entry, const char* key) { return entry.contains(key) && entry[key].is_number(); }
+bool has_text(const Json& entry, const char* key) { return entry.contains(key) && entry[key].is_string(); }
+
+/// Whether it holds all that the page reads of measures and references.
+bool is_whole(const Json& file) {
+  if (!file.is_object() || !file.contains("measurements") || !file.contains("references")) return false;
+  const auto is_measurement = [](const Json& m) {
+    return has_number(m, "value") && has_number(m, "uncertainty") && has_text(m, "unit");
+  };
+  const auto is_reference = [](const Json& r) {
+    return has_text(r, "measure") && has_text(r, "unit") && has_text(r, "source") && has_number(r, "published") &&
+           (!r.contains("within") || r["within"].is_boolean());
+  };
+  for (const auto* key : {"particles", "steps", "threads", "peak_memory_bytes"})
+    if (file.contains(key) && !file[key].is_number()) return false;
+  const auto &measurements = file["measurements"], &references = file["references"];
+  return measurements.is_object() && references.is_array() && std::ranges::all_of(measurements, is_measurement) &&
+         std::ranges::all_of(references, is_reference);
+}
+
+Json read_measurements(const fs::path& path) {
   std::ifstream file(path);
   if (!file)
     throw InputError({{path.string(), 0}, {}, {}, "this run has not been measured", "tektite postprocess DIR first"});
-  auto json = nlohmann::ordered_json::parse(file, nullptr, false);
-  if (!json.is_object() || !json.contains("measurements") || !json.contains("references"))
+  auto json = Json::parse(file, nullptr, false);
+  if (!is_whole(json))
     throw InputError(
         {{path.string(), 0}, {}, {}, "not what tektite-postprocess writes", "tektite postprocess DIR first"});
   return json;

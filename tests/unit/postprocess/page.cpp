@@ -128,8 +128,24 @@ TEST_CASE("Page: a folder that is no run, or has not been measured, is refused")
   write_run(folder.path(), 2e9);
   fs::remove(folder.file("measurements.json"));
   CHECK_THAT(fault_of([&] { read_run_data(folder.path()); }), Contains("has not been measured"));
-  std::ofstream(folder.file("measurements.json")) << "[1]";
-  CHECK_THAT(fault_of([&] { read_run_data(folder.path()); }), Contains("not what"));
+  const std::string length = R"("measurements": {"length": {"value": 1, "uncertainty": 0, "unit": "m"}}, )",
+                    of_length = R"("references": [{"measure": "length", "unit": "m", "published": 1, "source": "us"}])";
+  const auto write = [&](const std::string& json) { std::ofstream(folder.file("measurements.json")) << json; };
+  const auto with = [](std::string json, const std::string& part, const std::string& other) {
+    return json.replace(json.find(part), part.size(), other);
+  };
+  const auto whole = "{" + length + of_length + "}";
+  write(whole);
+  CHECK_NOTHROW(read_run_data(folder.path()));
+  for (const auto& broken :
+       {std::string("[1]"), with(whole, "\"value\": 1", "\"value\": null"), with(whole, "\"uncertainty\": 0, ", ""),
+        with(whole, "\"published\": 1", "\"published\": \"1\""), with(whole, "\"us\"", "\"us\", \"within\": 1"),
+        "{\"steps\": null, " + length + of_length + "}"}) {
+    write(broken);
+    INFO(broken);
+    CHECK_THAT(fault_of([&] { read_run_data(folder.path()); }),
+               Contains("measurements.json") && Contains("not what tektite-postprocess writes"));
+  }
 }
 
 TEST_CASE("Page: headless Chromium shows it, light or dark as is preferred, and prints it", "[.][browser]") {
