@@ -32,6 +32,16 @@ std::string_view other_remedy_for_clumps(const SchemeSettings& scheme, int dimen
   return scheme.artificial_stress ? " or a larger scheme.artificial_stress.epsilon" : " or scheme.artificial_stress";
 }
 
+/// What keeps bodies apart that run into each other, as far as the scheme knows it.
+std::string remedy_for_interpenetration(const SchemeSettings& scheme) {
+  if (scheme.type == "msph" || scheme.type == "ssph") return "a finer spacing or another scheme";
+  const bool lagrangian = scheme.type == "total-lagrangian" || scheme.type == "adaptle";
+  std::string remedy = !scheme.contact ? "[contact]" : "a larger contact.factor";
+  if (lagrangian && !(scheme.contact && scheme.contact->itself)) remedy += ", contact.itself for pieces of one body";
+  if (lagrangian || scheme.type == "eulerian") remedy += ", a larger viscosity.beta";
+  return remedy + " or a finer spacing";
+}
+
 /// Under which a snapshot keeps what has been told, as `warning.NAME` or `warning.NAME.BODY`.
 constexpr std::string_view prefix = "warning.";
 
@@ -71,9 +81,8 @@ void Watch::look_at(const Particles& particles, const Body& body, const RunSetti
     tell(found, "interpenetration", body.name,
          fmt::format("{:.0f} % of the particles of {} lie nearer than a third of their spacing to particles that were "
                      "not their neighbours: bodies have run into each other there, and the pressure between them is "
-                     "too small; a larger contact.factor, contact.itself for pieces of one body, or a larger "
-                     "viscosity.beta may mend it",
-                     100.0 * part, body.name));
+                     "too small; {} may mend it",
+                     100.0 * part, body.name, remedy_for_interpenetration(settings.scheme)));
   if (const double part = beyond_planes_part(particles, body, settings.scene.symmetry); part > too_near_share)
     tell(found, "interpenetration", body.name,
          fmt::format("{:.0f} % of the particles of {} lie beyond a symmetry plane: kernels of the reference "

@@ -50,8 +50,8 @@ struct Kind {
   bool viscous() const { return eulerian || lagrangian(); }
 };
 
-/// The keys `correction`, `correction_limit` and `artificial_stress`. Eulerian fragments of a few particles blow up
-/// with corrected gradients: nobody gets those unasked.
+/// The keys `correction`, `correction_limit` and `artificial_stress`. Eulerian kernels are not corrected unasked, since
+/// their corrections are those of a step, and make it three times as dear.
 void read_correction(Section& section, const Kind& kind, Space space, SchemeSettings& settings) {
   std::vector<std::string> corrections{kind.lagrangian() ? "mixed" : "none"};
   if (kind.lagrangian()) corrections.emplace_back("none");
