@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/saved_number.hpp"
 #include "neighbours/order.hpp"
 #include "neighbours/reference_pairs.hpp"
 #include "parallel/for_each.hpp"
@@ -87,8 +88,8 @@ void Neighbourhood<D>::save(std::map<std::string, double>& state) const {
 
 template <int D>
 void Neighbourhood<D>::restore(const std::map<std::string, double>& state) {
-  reach_ = state.at(search_.name + "_reach");
-  if (search_.orders) searches_since_order_ = static_cast<int>(state.at(search_.name + "es_since_order"));
+  reach_ = saved_number(state, search_.name + "_reach");
+  if (search_.orders) searches_since_order_ = static_cast<int>(saved_number(state, search_.name + "es_since_order"));
   if (!(reach_ > 0.0)) return;  // never made
   find_regions();
   list();

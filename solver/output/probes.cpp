@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/saved_number.hpp"
+
 namespace tektite {
 namespace {
 
@@ -68,11 +70,10 @@ Probes::Probes(const std::vector<Probe>& probes, const std::map<std::string, dou
   for (const auto& probe : probes) {
     Followed followed{probe, {}};
     if (probe.shown == Shown::particle) {
-      for (auto saved = state.find(state_name(probe, 0)); saved != state.end();
-           saved = state.find(state_name(probe, followed.particles.size())))
-        followed.particles.push_back({static_cast<std::int64_t>(saved->second), 0});
-      if (followed.particles.empty())
-        throw InputError({{}, "probe." + probe.name, {}, "the snapshot does not know this probe", {}});
+      do {
+        const auto id = saved_number(state, state_name(probe, followed.particles.size()));
+        followed.particles.push_back({static_cast<std::int64_t>(id), 0});
+      } while (state.contains(state_name(probe, followed.particles.size())));
     }
     followed_.push_back(followed);
   }

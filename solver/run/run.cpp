@@ -11,6 +11,7 @@
 
 #include "advice/print.hpp"
 #include "core/run_lock.hpp"
+#include "core/saved_number.hpp"
 #include "core/snapshot_files.hpp"
 #include "core/version.hpp"
 #include "core/write_beside.hpp"
@@ -244,6 +245,16 @@ RunSettings settings_of(const Snapshot& snapshot, const std::string& file, Docum
   return settings;
 }
 
+/// True where the run came to its end; a failure is kept in its log.
+bool end_of(Run& run) {
+  try {
+    return run.to_the_end();
+  } catch (const RunError& fault) {
+    run.note(fault);
+    throw RunError(fmt::format("{}\n  the last good snapshot is {}", fault.what(), run.last_snapshot()));
+  }
+}
+
 }  // namespace
 
 bool run(const RunOptions& options) {
@@ -263,14 +274,13 @@ bool run(const RunOptions& options) {
   watch_signals();
   if (options.trap_floating_point) trap_floating_point();
   const RunTimer timer;
-  Simulation simulation(std::move(snapshot), std::move(settings), origin.snapshot);
-  check_probed_fields(document, simulation.settings(), simulation.particles());
-  Run run(options.folder, origin, timer, simulation);
   try {
-    return run.to_the_end();
-  } catch (const RunError& fault) {
-    run.note(fault);
-    throw RunError(fmt::format("{}\n  the last good snapshot is {}", fault.what(), run.last_snapshot()));
+    Simulation simulation(std::move(snapshot), std::move(settings), origin.snapshot);
+    check_probed_fields(document, simulation.settings(), simulation.particles());
+    Run run(options.folder, origin, timer, simulation);
+    return end_of(run);
+  } catch (const MissingNumber& missing) {
+    throw InputError({{origin.file, 0}, missing.what(), {}, "is missing", "a snapshot of this scene, whole"});
   }
 }
 

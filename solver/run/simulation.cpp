@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "core/saved_number.hpp"
 #include "output/progress.hpp"
 #include "run/angular_momentum.hpp"
 
@@ -38,21 +39,21 @@ Simulation::Simulation(Snapshot snapshot, RunSettings settings, bool resumed)
   auto& particles = snapshot_.particles;
   const auto& state = snapshot_.state;
   scheme_ = make_scheme({particles, profile_, settings_.materials, settings_.scheme, settings_.scene.symmetry});
-  time_ = state.at("time");
+  time_ = saved_number(state, "time");
   if (resumed) {
-    steps_ = static_cast<std::int64_t>(state.at("step"));
+    steps_ = static_cast<std::int64_t>(saved_number(state, "step"));
     first_step_number_ = steps_;
-    last_.dt = state.at("dt");
-    first_step_ = state.at("first_step");
-    if (state.contains("contact_time")) contact_time_ = state.at("contact_time");
-    initial_energy_ = state.at("initial_energy");
-    largest_energy_ = state.at("largest_energy");
-    momentum_scale_ = state.at("momentum_scale");
+    last_.dt = saved_number(state, "dt");
+    first_step_ = saved_number(state, "first_step");
+    if (state.contains("contact_time")) contact_time_ = saved_number(state, "contact_time");
+    initial_energy_ = saved_number(state, "initial_energy");
+    largest_energy_ = saved_number(state, "largest_energy");
+    momentum_scale_ = saved_number(state, "momentum_scale");
     for (int k = 0; k < particles.dimensions(); ++k)
-      initial_momentum_.push_back(state.at(fmt::format("initial_momentum_{}", "xyz"[k])));
+      initial_momentum_.push_back(saved_number(state, fmt::format("initial_momentum_{}", "xyz"[k])));
     for (const int axis : axes_of_turning(particles.space()))
-      initial_angular_momentum_.push_back(state.at(fmt::format("initial_angular_momentum_{}", "xyz"[axis])));
-    largest_angular_momentum_ = state.at("largest_angular_momentum");
+      initial_angular_momentum_.push_back(saved_number(state, fmt::format("initial_angular_momentum_{}", "xyz"[axis])));
+    largest_angular_momentum_ = saved_number(state, "largest_angular_momentum");
     scheme_->restore(state);
     return;
   }

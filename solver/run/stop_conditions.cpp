@@ -8,6 +8,7 @@
 
 #include "core/body_mean.hpp"
 #include "core/plain_name.hpp"
+#include "core/saved_number.hpp"
 
 namespace tektite {
 namespace {
@@ -113,10 +114,11 @@ Passage::Passage(const StopCondition& condition, const Particles& start)
 }
 
 Passage::Passage(const StopCondition& condition, const std::map<std::string, double>& state)
-    : direction_{state.at(key(condition, "x")), state.at(key(condition, "y")), state.at(key(condition, "z"))},
-      front_(state.at(key(condition, "front"))),
-      rear_(state.at(key(condition, "rear"))),
-      length_(state.at(key(condition, "length"))) {}
+    : direction_{saved_number(state, key(condition, "x")), saved_number(state, key(condition, "y")),
+                 saved_number(state, key(condition, "z"))},
+      front_(saved_number(state, key(condition, "front"))),
+      rear_(saved_number(state, key(condition, "rear"))),
+      length_(saved_number(state, key(condition, "length"))) {}
 
 void Passage::save(const StopCondition& condition, std::map<std::string, double>& state) const {
   for (std::size_t k = 0; k < 3; ++k) state[key(condition, std::string(1, "xyz"[k]))] = direction_[k];
@@ -143,9 +145,9 @@ void Steadiness::save(const StopCondition& condition, std::map<std::string, doub
 
 void Steadiness::restore(const StopCondition& condition, const std::map<std::string, double>& state) {
   if (!state.contains(key(condition, "since"))) return;
-  since_ = state.at(key(condition, "since"));
-  value_ = state.at(key(condition, "value"));
-  largest_ = state.at(key(condition, "largest"));
+  since_ = saved_number(state, key(condition, "since"));
+  value_ = saved_number(state, key(condition, "value"));
+  largest_ = saved_number(state, key(condition, "largest"));
 }
 
 bool Steadiness::steady(const StopCondition& condition, double time, double value) {

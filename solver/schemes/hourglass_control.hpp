@@ -6,6 +6,7 @@
 
 #include "boundary/mirror.hpp"
 #include "core/particles.hpp"
+#include "core/saved_number.hpp"
 #include "parallel/for_each.hpp"
 #include "parallel/reduce.hpp"
 #include "passes/hourglass_sums.hpp"
@@ -54,7 +55,7 @@ class HourglassControl {
   /// The work done against the control so far: what it stores, and what it stored where particles have failed, J.
   double energy() const { return energy_; }
 
-  void restore(const std::map<std::string, double>& state) { energy_ = state.at("hourglass_energy"); }
+  void restore(const std::map<std::string, double>& state) { energy_ = saved_number(state, "hourglass_energy"); }
   void save(std::map<std::string, double>& state) const { state["hourglass_energy"] = energy_; }
 
   std::size_t memory() const {

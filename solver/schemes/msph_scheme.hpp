@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "boundary/anvil.hpp"
+#include "core/saved_number.hpp"
 #include "neighbours/neighbourhood.hpp"
 #include "parallel/for_each_pair.hpp"
 #include "passes/assemble_records.hpp"
@@ -50,8 +51,9 @@ class MsphScheme final : public Scheme {
   void restore(const std::map<std::string, double>& state) override {
     allocate_scratch();
     neighbourhood_.restore(state);
-    answered_ = state.at("particle_steps");
-    lower_order_ = {state.at("first_order_particle_steps"), state.at("zeroth_order_particle_steps")};
+    answered_ = saved_number(state, "particle_steps");
+    lower_order_ = {saved_number(state, "first_order_particle_steps"),
+                    saved_number(state, "zeroth_order_particle_steps")};
     assemble();
   }
   void save(std::map<std::string, double>& state) const override {

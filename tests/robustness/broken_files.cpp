@@ -158,6 +158,34 @@ void refused(const std::string& path, const std::string& reason) {
   CHECK_THROWS_WITH(read_snapshot(path), Contains(reason));
 }
 
+TEST_CASE("Foreign files: a snapshot whose state lacks a number that the run needs is refused, with its name") {
+  // Of the run itself, of a probe, of the neighbours, and of what a scheme counts.
+  const auto [scheme, name] = GENERATE(table<std::string, std::string>({{"eulerian", "largest_energy"},
+                                                                        {"eulerian", "probe.centre"},
+                                                                        {"eulerian", "stop_when.perforated.front"},
+                                                                        {"godunov-pm", "search_reach"},
+                                                                        {"msph", "first_order_particle_steps"},
+                                                                        {"total-lagrangian", "hourglass_energy"}}));
+  INFO(scheme << ": " << name);
+  std::vector<std::string> settings{"time.end=1 us", "output.snapshots=1 us"};
+  if (scheme == "eulerian") settings.emplace_back("stop_when.perforated={projectile='bar', body='plate'}");
+  if (scheme == "total-lagrangian") settings.emplace_back("scheme.hourglass_control=0.1");
+  const SmallRun small(scheme, settings);
+  small.fill("run");
+  REQUIRE(small.program(small.solving("run")).code == 0);
+  const auto last = tektite::snapshot_files(small.folder("run")).back();
+  const auto bytes = content_of(last);
+  constexpr std::size_t seal = 16;
+  write_bytes(last, bytes.substr(0, bytes.size() - seal));
+  REQUIRE(small.program(small.resuming("run")).code == 0);
+  add(last, [&name = name](hid_t file) { REQUIRE(H5Adelete_by_name(file, "/state", name.c_str(), H5P_DEFAULT) >= 0); });
+  const auto outcome = small.program(small.resuming("run"));
+  CHECK(outcome.code == 2);
+  const auto path = "run/snapshots/" + fs::path(last).filename().string();
+  CHECK(outcome.faults == "tektite-solve: error: " + path + ": /state/@" + name +
+                              ": is missing (allowed: a snapshot of this scene, whole)\n");
+}
+
 TEST_CASE("Foreign files: an attribute with many values where one belongs is refused") {
   const TemporaryFolder folder;
   const auto path = folder.file("many.h5");
