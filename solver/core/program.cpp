@@ -15,6 +15,7 @@ namespace tektite {
 
 int run_program(const std::string& name, const std::function<int()>& body) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is told like a disk that is full
+  std::signal(SIGCHLD, SIG_DFL);  // who starts this program may ignore children, which then cannot be waited for
   try {
     const int code = body();
     std::cout.flush();

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
 #include "core/error.hpp"
+#include "core/system_words.hpp"
 #include "core/write_beside.hpp"
 #include "front/commands.hpp"
 #include "front/scene_arguments.hpp"
@@ -19,8 +21,10 @@ namespace {
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    auto name = (std::filesystem::temp_directory_path() / "tektite-check-XXXXXX").string();
-    if (!::mkdtemp(name.data())) throw RunError(name + ": this folder cannot be made");
+    std::error_code fault;
+    auto name = (std::filesystem::temp_directory_path(fault) / "tektite-check-XXXXXX").string();
+    if (fault) throw RunError("TMPDIR: there is no folder for what is checked: " + fault.message());
+    if (!::mkdtemp(name.data())) throw RunError(name + ": this folder cannot be made: " + words_for_error(errno));
     path_ = name;
   }
   ~TemporaryFolder() {

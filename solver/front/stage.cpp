@@ -129,7 +129,8 @@ int run_stage(Stage stage, const Words& arguments, Show show) {
   const pid_t child = start(path_of(stage), arguments, show);
   int status = 0;
   while (::waitpid(child, &status, 0) < 0)
-    if (errno != EINTR) throw RunError(fmt::format("{}: cannot be waited for", program_of(stage)));
+    if (errno != EINTR)
+      throw RunError(fmt::format("{}: cannot be waited for: {}", program_of(stage), words_for_error(errno)));
   child_running = 0;
   if (WIFSIGNALED(status))
     throw RunError(fmt::format("{} was ended by signal {} ({})", program_of(stage), WTERMSIG(status),

@@ -9,6 +9,7 @@
 #include <string>
 #include <thread>
 
+#include "support/apart.hpp"
 #include "support/program.hpp"
 
 namespace {
@@ -102,6 +103,56 @@ TEST_CASE("Front: a stage that was not built is told") {
   const auto outcome = run_in(place.folder.path(), {place.folder.file("alone"), "solve", "."});
   CHECK(outcome.code == 1);
   CHECK_THAT(outcome.faults, Contains("tektite-solve: this program is not there"));
+}
+
+/// The front in a folder of its own, in place of whose stages stands a script.
+struct Alone {
+  explicit Alone(const std::string& script) {
+    fs::copy(TEKTITE_PROGRAM, place.folder.file("tektite"));
+    for (const std::string stage : {"preprocess", "solve", "postprocess"}) {
+      const auto path = place.folder.file("tektite-" + stage);
+      std::ofstream(path) << script;
+      fs::permissions(path, fs::perms::all);
+    }
+    fs::permissions(place.folder.path(), fs::perms::all);  // for who is not root any more
+  }
+  std::string check(void (*prepare)() = [] {}) const {
+    const auto outcome = run_in(place.folder.path(), {place.folder.file("tektite"), "check", "scene.toml"}, prepare);
+    CHECK(outcome.code == 1);
+    return outcome.faults;
+  }
+  Workplace place;
+};
+
+TEST_CASE("Front: a stage that is killed, that cannot be started, or that a signal outlives, is told") {
+  CHECK_THAT(Alone("#!/bin/sh\nkill -KILL $$\n").check(),
+             Contains("tektite-preprocess was ended by signal 9 (Killed)"));
+  CHECK_THAT(Alone("#!/bin/sh\ntrap '' INT\nkill -INT $PPID\nexit 0\n").check(),
+             Contains("interrupted in tektite-preprocess"));
+  CHECK_THAT(Alone("#!/no/such/interpreter\n").check(),
+             Contains("tektite-preprocess: cannot be started: No such file or directory"));
+  CHECK_THAT(Alone("#!/bin/sh\nexit 0\n").check(tektite::test::allow_no_process),
+             Contains("tektite-preprocess: cannot be started: Resource temporarily unavailable"));
+  const Alone alone("#!/no/such/interpreter\n");
+  const auto become = run_in(alone.place.folder.path(), {alone.place.folder.file("tektite"), "solve", "."});
+  CHECK(become.code == 1);
+  CHECK_THAT(become.faults, Contains("tektite-solve: cannot be started: No such file or directory"));
+}
+
+TEST_CASE("Front: where nothing can be laid aside for a check, that is told") {
+  const Alone alone("#!/bin/sh\nexit 0\n");
+  CHECK_THAT(alone.check([] { ::setenv("TMPDIR", "/proc", 1); }),
+             Contains("/proc/tektite-check-") && Contains("this folder cannot be made: "));
+  CHECK_THAT(alone.check([] { ::setenv("TMPDIR", "/no/such/folder", 1); }),
+             Contains("TMPDIR: there is no folder for what is checked: "));
+}
+
+TEST_CASE("Front: who starts it may ignore children, and they are waited for all the same") {
+  const Workplace place;
+  const auto outcome =
+      run_in(place.folder.path(), {TEKTITE_PROGRAM, "check", "scene.toml"}, [] { ::signal(SIGCHLD, SIG_IGN); });
+  INFO(outcome.faults);
+  CHECK(outcome.code == 0);
 }
 
 TEST_CASE("Front: a run leaves its state, numbers and the table of ours beside published") {
