@@ -1,5 +1,6 @@
 #include "core/apart.hpp"
 
+#include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -13,6 +14,7 @@
 #include <new>
 
 #include "core/error.hpp"
+#include "core/system_words.hpp"
 
 namespace tektite {
 namespace {
@@ -40,7 +42,8 @@ void set_bounds(std::uintmax_t file_size) {
 
 bool can_be_read(const std::string& path, const std::function<void()>& read) {
   const pid_t child = ::fork();
-  if (child < 0) throw RunError("no process can be started");
+  if (child < 0)
+    throw RunError(fmt::format("{}: no process can be started to read it: {}", path, words_for_error(errno)));
   if (child == 0) {
     for (const int signal : {SIGINT, SIGTERM, SIGALRM}) ::signal(signal, SIG_DFL);
     set_bounds(std::filesystem::file_size(path));
@@ -56,7 +59,8 @@ bool can_be_read(const std::string& path, const std::function<void()>& read) {
   }
   int status = 0;
   while (::waitpid(child, &status, 0) < 0)
-    if (errno != EINTR) throw RunError("a process cannot be waited for");
+    if (errno != EINTR)
+      throw RunError(fmt::format("{}: a process cannot be waited for: {}", path, words_for_error(errno)));
   return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 

@@ -3,7 +3,9 @@
 
 #include <array>
 #include <catch2/catch.hpp>
+#include <fstream>
 #include <functional>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -35,6 +37,33 @@ void attach_two(const std::string& path, const char* name) {
   REQUIRE(H5Awrite(attribute.id(), H5T_NATIVE_DOUBLE, values.data()) >= 0);
 }
 
+/// A text whose letters are said to be ASCII, which ours never are: HDF5 does not read one as the other.
+void attach_ascii(const std::string& path, const char* name) {
+  const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  const Handle attribute(H5Acreate2(file.id(), name, type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  REQUIRE(H5Awrite(attribute.id(), type.id(), "a") >= 0);
+}
+
+/// A file whose root has more members and attributes than stand in its header, and whose lists of them are spoilt.
+void write_unlisted(const std::string& path) {
+  {
+    hdf5::Writer writer(path);
+    for (int k = 0; k < 40; ++k) {
+      writer.group("/group" + std::to_string(k));
+      writer.attribute("/", "number" + std::to_string(k), 1.0);
+    }
+    writer.close();
+  }
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  const std::string head_of_list = "BTHD";  // the leaves themselves HDF5 does not survive
+  for (auto at = bytes.find(head_of_list); at != std::string::npos; at = bytes.find(head_of_list))
+    bytes.replace(at, head_of_list.size(), "none");
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
 struct File {
   File() {
     hdf5::Writer writer(path);
@@ -47,6 +76,7 @@ struct File {
     claim(path, "promised", {1 << 20}, H5T_NATIVE_DOUBLE);
     claim(path, "endless", {(1 << 24) + 1}, H5T_NATIVE_UCHAR);
     attach_two(path, "two");
+    attach_ascii(path, "ascii");
   }
   test::TemporaryFolder folder;
   std::string path = folder.file("file.h5");
@@ -77,11 +107,21 @@ TEST_CASE("HDF5: what is not as asked for is refused with file, place and reason
            {[](const Reader& r) { r.text("/endless"); }, "/endless: is no text of a sensible length"},
            {[](const Reader& r) { r.real_attribute("/", "two"); }, "/@two: is no single value"},
            {[](const Reader& r) { r.text_attribute("/", "number"); }, "/@number: is no text of a sensible length"},
+           {[](const Reader& r) { r.text_attribute("/", "ascii"); }, "/@ascii: cannot be read"},
            {[](const Reader& r) { r.real_attribute("/", "word"); }, "/@word: is no number"},
            {[](const Reader& r) { r.integer_attribute("/", "word"); }, "/@word: is no whole number"}}) {
     const auto fault = test::fault_of([&] { read(reader); });
     CHECK_THAT(fault, Contains("file.h5") && Contains(says));
   }
+}
+
+TEST_CASE("HDF5: members and attributes of which the list is spoilt are refused with file and place") {
+  const test::TemporaryFolder folder;
+  write_unlisted(folder.file("spoilt.h5"));
+  const hdf5::Reader reader(folder.file("spoilt.h5"));
+  CHECK_THAT(test::fault_of([&] { reader.members("/"); }), Contains("spoilt.h5: /: cannot be listed"));
+  CHECK_THAT(test::fault_of([&] { reader.attributes("/"); }),
+             Contains("spoilt.h5: /: has attributes that cannot be listed"));
 }
 
 TEST_CASE("HDF5: what cannot be written is told with file and place") {
