@@ -1,6 +1,7 @@
 #include "postprocess/export/vtu.hpp"
 
 #include <fmt/format.h>
+#include <vtkErrorCode.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
@@ -19,7 +20,9 @@ void write_vtu(const Snapshot& snapshot, const std::string& path) {
     writer->SetDataModeToAppended();
     writer->EncodeAppendedDataOff();
     writer->SetCompressorTypeToZLib();
-    if (writer->Write() != 1 || writer->GetErrorCode() != 0) throw RunError(fmt::format("{} cannot be written", path));
+    if (writer->Write() != 1 || writer->GetErrorCode() != 0)
+      throw RunError(
+          fmt::format("{}: cannot be written: {}", path, vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode())));
   });
 }
 

@@ -10,7 +10,7 @@ namespace tektite {
 /// Tells a line to whoever asked for the drawing.
 using Tell = std::function<void(const std::string&)>;
 
-/// Runs `draw` in a child process with a private X server, a second time where it ended early, and gives what it told:
+/// Runs `draw` in a child process with a private X server and gives what it told:
 /// or, where it threw or ended, the warning why there are no pictures. Whatever happens to it, this process goes on.
 std::vector<std::string> draw_apart(const std::function<void(const Tell&)>& draw);
 

@@ -1,6 +1,7 @@
 #include "postprocess/render/display.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <poll.h>
 #include <signal.h>
 #include <sys/prctl.h>
@@ -8,11 +9,13 @@
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <chrono>
 #include <cstdlib>
 #include <string>
 
 #include "core/error.hpp"
+#include "core/system_words.hpp"
 
 namespace tektite {
 namespace {
@@ -60,7 +63,7 @@ void stop(pid_t server) {
 
 PrivateDisplay::PrivateDisplay() {
   std::array<int, 2> ends;
-  if (pipe(ends.data()) != 0) throw RunError(advice);
+  if (pipe(ends.data()) != 0) throw RunError(fmt::format("{}: {}", advice, words_for_error(errno)));
   const auto parent = getpid();
   server_ = fork();
   if (server_ == 0) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <vtkContextView.h>
+#include <vtkErrorCode.h>
 #include <vtkPNGWriter.h>
 #include <vtkRenderWindow.h>
 #include <vtkSmartPointer.h>
@@ -21,7 +22,9 @@ void write_png(vtkRenderWindow* window, const std::string& path) {
     writer->SetFileName(beside.c_str());
     writer->SetInputConnection(image->GetOutputPort());
     writer->Write();
-    if (writer->GetErrorCode() != 0) throw RunError(fmt::format("{} cannot be written", path));
+    if (writer->GetErrorCode() != 0)
+      throw RunError(
+          fmt::format("{}: cannot be written: {}", path, vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode())));
   });
 }
 

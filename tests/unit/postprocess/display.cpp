@@ -13,6 +13,8 @@
 #include <cstdlib>
 #include <string>
 
+#include "support/apart.hpp"
+
 namespace tektite::test {
 namespace {
 
@@ -41,6 +43,15 @@ TEST_CASE("Private display: takes one client after the other, however soon the n
   int turned_away = 0;
   for (int client = 0; client < 300; ++client) turned_away += !is_received(name);
   CHECK(turned_away == 0);
+}
+
+TEST_CASE("Private display: a server for which no pipe can be made is told with the reason") {
+  const auto said = fault_apart([] {
+    const rlimit no_files{STDERR_FILENO + 1, STDERR_FILENO + 1};
+    setrlimit(RLIMIT_NOFILE, &no_files);
+    const PrivateDisplay display;
+  });
+  CHECK_THAT(said, Catch::Contains("Xvfb") && Catch::Contains("Too many open files"));
 }
 
 }  // namespace tektite::test

@@ -1,12 +1,19 @@
 // Pictures are drawn, show what they should, and their absence is told.
 
+#include <vtkRenderWindow.h>
+#include <vtkSmartPointer.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 
+#include "core/write_beside.hpp"
+#include "postprocess/render/apart.hpp"
 #include "postprocess/render/chart.hpp"
 #include "postprocess/render/draw.hpp"
+#include "postprocess/render/image.hpp"
+#include "support/apart.hpp"
 #include "support/temporary_folder.hpp"
 #include "unit/postprocess/colours.hpp"
 #include "unit/postprocess/synthetic.hpp"
@@ -173,6 +180,26 @@ TEST_CASE("Pictures: what cannot be drawn is a warning") {
   auto nobody = small_picture("pressure");
   nobody.bodies = {"nobody"};
   CHECK(made.draw(nobody)[0].find("there is no particle to draw") != std::string::npos);
+}
+
+TEST_CASE("Pictures: one that cannot be written is told, and no half of it is left") {
+  Made made(Space::plane_strain);
+  const auto path = made.folder.file("pictures/pressure.png");
+  std::filesystem::create_directories(path + std::string(part_ending) + "/in_the_way");
+  const auto told = made.draw(small_picture("pressure"));
+  REQUIRE(told.size() == 1);
+  CHECK_THAT(told[0], Catch::StartsWith("warning: no picture pressure: " + path + ": cannot be written: "));
+
+  // The server needs room of its own, so it is the drawing that finds none.
+  const auto full = draw_apart([&](const Tell&) {
+    const auto window = vtkSmartPointer<vtkRenderWindow>::New();
+    leave_room(300);
+    write_png(window, made.folder.file("full.png"));
+  });
+  REQUIRE(full.size() == 1);
+  CHECK_THAT(full[0], Catch::Contains(made.folder.file("full.png") + ": cannot be written: "));
+  CHECK_FALSE(std::filesystem::exists(made.folder.file("full.png")));
+  CHECK_FALSE(std::filesystem::exists(made.folder.file("full.png") + std::string(part_ending)));
 }
 
 TEST_CASE("Pictures: without an X server to start, that is said and nothing ends") {

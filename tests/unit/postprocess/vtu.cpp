@@ -13,10 +13,12 @@
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
 #include "core/error.hpp"
+#include "support/apart.hpp"
 #include "support/particles.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -101,6 +103,14 @@ TEST_CASE("PVD: times keep all their digits") {
 TEST_CASE("VTU: a place that cannot be written to is a RunError") {
   const Snapshot snapshot{filled_particles(Space::line), {{"time", 0.0}}, ""};
   CHECK_THROWS_AS(write_vtu(snapshot, "/proc/no-such-folder/0.vtu"), RunError);
+  const TemporaryFolder folder;
+  const auto path = folder.file("0.vtu");
+  CHECK_THAT(fault_apart([&] {
+               leave_room(100);
+               write_vtu(snapshot, path);
+             }),
+             Catch::StartsWith(path + ": cannot be written: "));
+  CHECK(std::filesystem::is_empty(folder.path()));
 }
 
 }  // namespace tektite::test
