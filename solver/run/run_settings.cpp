@@ -107,7 +107,11 @@ RunSettings read_run_settings(Document& document) {
 
 void check_bodies(const RunSettings& settings, const Particles& particles, const std::string& file) {
   if (particles.space() != settings.scene.space)
-    throw InputError({{file, 0}, "space", {}, "the particles live in another space than the scene", {}});
+    throw InputError({{file, 0},
+                      "/@space",
+                      std::string(name_of(particles.space())),
+                      "the particles live in another space than the scene",
+                      std::string(name_of(settings.scene.space))});
   for (const auto& body : particles.bodies())
     if (!settings.materials.contains(body.material))
       throw InputError({{file, 0}, "/bodies/" + body.name, body.material, "the scene has no such material", {}});

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 
 #include "core/kernel_type.hpp"
 
@@ -198,7 +199,7 @@ std::vector<double> LatticeBlock::state_after(std::size_t particle, const StateC
   particles_.reals(changed.field)[place] += by * changed.scale;
   scheme_->step(dt);
   if (!std::ranges::equal(particles_.integers(Field::id), base_.integers(Field::id)))
-    throw RunError("stability: a step put the particles of a lattice in another order");
+    throw std::logic_error("stability: a step put the particles of a lattice in another order");
   std::vector<double> state(count() * components_.size());
   for (std::size_t c = 0; c < components_.size(); ++c) {
     const auto width = static_cast<std::size_t>(particles_.components(components_[c].field));

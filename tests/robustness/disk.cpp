@@ -69,6 +69,22 @@ TEST_CASE("Disk: a log or an output that cannot be written is an error") {
   CHECK_THAT(unheard.faults, Contains("standard output cannot be written"));
 }
 
+TEST_CASE("Disk: a folder in place of the log, and a history that is gone, are errors") {
+  const SmallRun small("eulerian", {"time.end=1 us", "output.snapshots=1 us"});
+  small.fill("run");
+  fs::create_directory(small.folder("run/run.log"));
+  const auto unlogged = small.program(small.solving("run"));
+  CHECK(unlogged.code == 1);
+  CHECK_THAT(unlogged.faults, StartsWith("tektite-solve: error: run/run.log: the log cannot be opened: "));
+  fs::remove(small.folder("run/run.log"));
+  REQUIRE(small.program(small.solving("run")).code == 0);
+  fs::remove(small.folder("run/history.csv"));
+  const auto resumed = small.program(small.resuming("run"));
+  CHECK(resumed.code == 2);
+  CHECK_THAT(resumed.faults, StartsWith("tektite-solve: error: run/history.csv: the history of the run that is to be "
+                                        "resumed cannot be opened"));
+}
+
 TEST_CASE("Disk: a folder that cannot be made or written to is an error before anything is computed") {
   const SmallRun small("eulerian");
   std::ofstream(small.folder("file")) << "in the way";

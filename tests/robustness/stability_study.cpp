@@ -48,6 +48,12 @@ TEST_CASE("Stability study: a wrong one is refused with its place") {
   CHECK_THAT(refused("\"1 GPa\", count", "\"-1 GPa\", count"),
              Contains("study.toml:3: stress.largest") && Contains("is not above least (allowed: a larger value)"));
   CHECK_THAT(refused("line.eulerian", "line.\"a b\""), Contains("line.a b: names columns, so it must be plain"));
+  CHECK_THAT(refused("\"aluminium\"", "\"gold\""),
+             Contains("scene.toml: material = gold: the study has to name a material of this scene") &&
+                 Contains("(allowed: aluminium, steel)"));
+  CHECK_THAT(refused("material = \"aluminium\"", ""), Contains("the study has to name a material of this scene"));
+  CHECK_THAT(refused("[line.eulerian]", "[line.eulerian]\nset = [\"space=axisymmetric\"]"),
+             Contains("space = axisymmetric: stability is analysed on a straight line or in a plane"));
   CHECK_THAT(refused("[line.eulerian]", ""), Contains("there is nothing to analyse (allowed: [line.NAME])"));
 }
 
