@@ -47,10 +47,11 @@ Soup read_soup(const std::string& path, double metres) {
   if (soup.polygons.empty()) throw mesh_fault(path, "the mesh has no faces", "a closed surface");
   for (const auto& polygon : soup.polygons)
     for (const auto corner : polygon)
-      if (corner >= soup.points.size()) throw mesh_fault(path, "a face names a point that is not there", {});
+      if (corner >= soup.points.size())
+        throw mesh_fault(path, "a face names a point that is not there", "faces of the points of the file");
   for (auto& p : soup.points) {
     if (!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
-      throw mesh_fault(path, "a coordinate is not a finite number", {});
+      throw mesh_fault(path, "a coordinate is not a finite number", "finite coordinates");
     p = Corner(metres * p.x(), metres * p.y(), metres * p.z());
   }
   return soup;
@@ -109,7 +110,9 @@ TriangleMesh to_mesh(Soup& soup, const std::string& path, std::vector<std::strin
   TriangleMesh mesh;
   pmp::polygon_soup_to_polygon_mesh(soup.points, soup.polygons, mesh);
   if (!CGAL::is_triangle_mesh(mesh)) {
-    if (!pmp::triangulate_faces(mesh)) throw mesh_fault(path, "a face with many corners cannot be triangulated", {});
+    if (!pmp::triangulate_faces(mesh))
+      throw mesh_fault(path, "a face with many corners cannot be triangulated",
+                       "triangles, or flat faces with an area");
     repairs.push_back("faces with more than three corners triangulated");
   }
   return mesh;

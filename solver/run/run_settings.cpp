@@ -47,6 +47,12 @@ std::vector<Probe> read_probes(Section& root, const Scene& scene) {
   return probes;
 }
 
+std::vector<std::string> names_of(const std::map<std::string, Material>& materials) {
+  std::vector<std::string> names;
+  for (const auto& entry : materials) names.push_back(entry.first);
+  return names;
+}
+
 /// Regions are preprocess' to read; whether their kernels can be is for the scheme to say.
 void check_kernels(Section body, const std::string& scheme) {
   for (const auto& [name, region] : body.named_sections("region"))
@@ -94,11 +100,8 @@ RunSettings read_run_settings(Document& document) {
   settings.stops = read_stop_conditions(root, body_names);
   for (auto [name, body] : bodies) {
     const auto material = body.text("material");
-    if (!settings.materials.contains(material)) {
-      std::vector<std::string> known;
-      for (const auto& entry : settings.materials) known.push_back(entry.first);
-      throw body.fault("material", "there is no such material", join(known));
-    }
+    if (!settings.materials.contains(material))
+      throw body.fault("material", "there is no such material", join(names_of(settings.materials)));
     check_kernels(body, settings.scheme.type);
   }
   root.finish();
@@ -112,9 +115,11 @@ void check_bodies(const RunSettings& settings, const Particles& particles, const
                       std::string(name_of(particles.space())),
                       "the particles live in another space than the scene",
                       std::string(name_of(settings.scene.space))});
+  const auto names = names_of(settings.materials);
   for (const auto& body : particles.bodies())
     if (!settings.materials.contains(body.material))
-      throw InputError({{file, 0}, "/bodies/" + body.name, body.material, "the scene has no such material", {}});
+      throw InputError(
+          {{file, 0}, "/bodies/" + body.name, body.material, "the scene has no such material", join(names)});
 }
 
 void check_anvil(Document& document, const RunSettings& settings, const Particles& particles) {

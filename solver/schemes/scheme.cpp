@@ -1,8 +1,7 @@
 #include "schemes/scheme.hpp"
 
-#include <fmt/format.h>
-
 #include <array>
+#include <stdexcept>
 
 #include "schemes/eulerian.hpp"
 #include "schemes/godunov_pm.hpp"
@@ -127,7 +126,7 @@ SchemeSettings read_scheme(Section& root, const Scene& scene) {
 std::unique_ptr<Scheme> make_scheme(const SchemeSetup& setup) {
   for (const auto& scheme : schemes)
     if (scheme.name == setup.settings.type) return scheme.make(setup);
-  throw InputError(fmt::format("unknown scheme \"{}\"", setup.settings.type));
+  throw std::logic_error("read_scheme() lets no unknown scheme through");
 }
 
 }  // namespace tektite

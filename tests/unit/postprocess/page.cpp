@@ -146,6 +146,7 @@ TEST_CASE("Page: a folder that is no run, or has not been measured, is refused")
     CHECK_THAT(fault_of([&] { read_run_data(folder.path()); }),
                Contains("measurements.json") && Contains("not what tektite-postprocess writes"));
   }
+  CHECK_THROWS_WITH(data_uri(folder.file("gone.png"), "image/png"), folder.file("gone.png") + ": cannot be read");
 }
 
 TEST_CASE("Page: headless Chromium shows it, light or dark as is preferred, and prints it", "[.][browser]") {

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <limits>
+#include <string>
 
 #include "scene_text.hpp"
 #include "support/fault.hpp"
@@ -200,6 +202,29 @@ TEST_CASE("Mesh: a surface that bounds no solid is refused, with the file and th
   auto by_a_corner = together(cube(), cube(1.0, {1, 1, 1}));
   write_off(test.folder.file("corner.off"), by_a_corner);
   CHECK_THAT(test.fault("corner.off"), Catch::Contains("not manifold"));
+}
+
+TEST_CASE("Mesh: faces without an area, with one side only or at infinity are refused with the reason") {
+  const MeshCase test;
+  const auto says = [&](const std::string& corners_and_faces) {
+    std::ofstream(test.folder.file("odd.off")) << "OFF\n" << corners_and_faces;
+    return test.fault("odd.off");
+  };
+  const std::string on_a_line = "0 0 0\n1 0 0\n2 0 0\n3 0 0\n", four = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
+  CHECK_THAT(says("4 4 0\n" + on_a_line + four), Catch::Contains("odd.off: the mesh encloses nothing"));
+  CHECK_THAT(says("4 4 0\n0 0 0\n1 0 0\n0 1 0\n0.3 0.3 0\n" + four),  // flat
+             Catch::Contains("odd.off: the surface intersects itself"));
+  CHECK_THAT(says("8 6 0\n" + on_a_line + "4 0 0\n5 0 0\n6 0 0\n7 0 0\n" +
+                  "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n"),
+             Catch::Contains("odd.off: a face with many corners cannot be triangulated (allowed: triangles"));
+  // Ten triangles over six points, each edge in two of them, make the projective plane.
+  CHECK_THAT(says("6 10 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 1\n2 1 0\n3 0 1 2\n3 0 2 3\n3 0 3 4\n3 0 4 5\n"
+                  "3 0 5 1\n3 1 2 4\n3 2 3 5\n3 3 4 1\n3 4 5 2\n3 5 1 3\n"),
+             Catch::Contains("odd.off: the surface is not manifold") && Catch::Contains("one side only"));
+  auto far = cube();
+  far.corners[3][0] = std::numeric_limits<double>::infinity();
+  write_binary_stl(test.folder.file("far.stl"), far);
+  CHECK_THAT(test.fault("far.stl"), Catch::Contains("far.stl: a coordinate is not a finite number"));
 }
 
 TEST_CASE("Mesh: files that are missing, empty, cut short or of another kind are refused") {

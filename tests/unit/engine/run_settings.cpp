@@ -1,0 +1,46 @@
+// What the solver reads of a scene, and whether the particles are those of it.
+#include "run/run_settings.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "support/fault.hpp"
+#include "support/lattice.hpp"
+
+using namespace tektite;
+using Catch::Matchers::Contains;
+
+namespace {
+
+const std::string head = "name = 'test'\nspace = 'line'\ntime.end = 1.0\n";
+const std::string metal = "[material.metal]\ndensity = 1.0\neos = { model = 'linear', bulk_modulus = 1.0 }\n";
+
+RunSettings settings_of(const std::string& scene) {
+  auto document = Document::parse(scene, "scene.toml");
+  return read_run_settings(document);
+}
+
+Particles particles_in(Space space, const std::string& material) {
+  const auto d = static_cast<std::size_t>(dimensions_of(space));
+  return test::particles_on(
+      space, {{"bar", material, 1.0, std::vector<double>(d, 0.0), std::vector<int>(d, 2), std::vector<double>(d, 0.0)}},
+      1.0);
+}
+
+}  // namespace
+
+TEST_CASE("Run settings: a scene without a material is refused", "[settings]") {
+  CHECK_THAT(test::fault_of([] { settings_of(head); }),
+             Contains("the scene has no material (allowed: [material.NAME])"));
+}
+
+TEST_CASE("Run settings: particles of another space or material than the scene's are refused with both", "[settings]") {
+  const auto settings = settings_of(head + metal);
+  const auto check = [&](Space space, const std::string& material) {
+    check_bodies(settings, particles_in(space, material), "particles.h5");
+  };
+  CHECK_NOTHROW(check(Space::line, "metal"));
+  CHECK(test::fault_of([&] { check(Space::plane_strain, "metal"); }) ==
+        "particles.h5: /@space = plane-strain: the particles live in another space than the scene (allowed: line)");
+  CHECK(test::fault_of([&] { check(Space::line, "glass"); }) ==
+        "particles.h5: /bodies/bar = glass: the scene has no such material (allowed: metal)");
+}
