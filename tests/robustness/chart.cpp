@@ -112,6 +112,25 @@ TEST_CASE("Chart: a study in which every run fails says so and fails") {
   CHECK_THAT(outcome.output, Contains("`viscous-1`") && Contains("No run has a result."));
 }
 
+TEST_CASE("Chart: one that is interrupted says that the same command goes on, and keeps no result of what it ended") {
+  const Workplace place;
+  const auto put = [&](const std::string& program, const std::string& script) {
+    place.write(program, "#!/bin/sh\n" + script);
+    fs::permissions(place.folder.file(program), fs::perms::owner_all);
+  };
+  fs::copy(TEKTITE_PROGRAM, place.folder.file("tektite"));
+  put("tektite-postprocess", "exit 0\n");
+  // The first stage of a run interrupts the chart that has started it.
+  put("tektite-preprocess",
+      "read pid name state chart others < /proc/$PPID/stat\nread pid name others < /proc/$chart/stat\n"
+      "[ \"$name\" = '(tektite)' ] && kill -INT $chart\nexit 1\n");
+  const auto outcome =
+      run_in(place.folder.path(), {place.folder.file("tektite"), "chart", "study.toml", "-o", "out", "--jobs", "1"});
+  CHECK(outcome.code == 1);
+  CHECK(outcome.faults == "tektite: error: interrupted; the same command goes on with what is missing\n");
+  CHECK_THAT(outcome.output, !Contains("failed"));
+}
+
 TEST_CASE("Chart: where there is no Slurm it is told once, and nothing is run") {
   const Workplace place;
   const auto outcome = run_in(place.folder.path(), {"/usr/bin/env", "PATH=/nowhere", TEKTITE_PROGRAM, "chart",
