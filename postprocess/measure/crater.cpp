@@ -4,10 +4,13 @@
 // each, the innermost coherent matter is looked for in every direction around the line, so that a strand of particles
 // across one station does not decide the diameter. What was thrown out in front of the target does not count, and
 // neither do loose fragments: the coherent target is what still hangs on its rim. The target's
-// surface is taken to lie across the flight line (normal impact).
+// surface is taken to lie across the flight line (normal impact). Its depth is that of the coherent target's first matter
+// on the flight line: what is left of the projectile on the floor counts as part of the cavity, as in a section that is
+// measured to the target's metal.
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/error.hpp"
 #include "postprocess/measure/target.hpp"
@@ -66,6 +69,19 @@ Crater crater_of(const Event& event, const Fragments& fragments, const Target& t
   return widest;
 }
 
+/// Where the coherent target begins within `reach` of the flight line, along the direction; nothing where it has none there.
+std::optional<double> floor_within(double reach, const Event& event, const Target& target,
+                                   const std::vector<bool>& hangs) {
+  std::optional<double> first;
+  for (std::size_t i = 0; i < event.last.count(); ++i) {
+    const auto place = target.seen(event.last.position[i]);
+    if (!hangs[event.fragments.label[i]] || norm(target.across(place)) > reach) continue;
+    const double along = dot(place, target.direction);
+    if (!first || along < *first) first = along;
+  }
+  return first;
+}
+
 }  // namespace
 
 /// Keys: body (the target); projectile (default: the body that moves fastest against it); axis.
@@ -81,6 +97,25 @@ Measure read_crater_diameter(Section& section, const Declared& declared) {
     const auto on_line = target.unseen(target.on_line(wide.depth));
     const auto radius = 0.5 * wide.diameter * side_of(target.direction);
     measured.drawing = Segment{on_line - radius, on_line + radius};
+    return measured;
+  };
+}
+
+/// Keys: as above.
+Measure read_crater_depth(Section& section, const Declared& declared) {
+  const auto find_target = read_target(section, declared, true);
+  return [=](const Event& event) {
+    const auto target = find_target(event);
+    const auto hangs = hangs_on_rim(event, event.fragments, on_rim(event, target));
+    // The wall of a slender channel lies within the support of its axis, so a smoothing length is looked across first.
+    const auto wide = floor_within(link_of_support * target.smoothing_length, event, target, hangs);
+    if (!wide) throw RunError("the target is perforated: its coherent matter leaves the flight line free");
+    const auto narrow = floor_within(link_of_smoothing_length * target.smoothing_length, event, target, hangs);
+    const double floor = narrow.value_or(*wide) - 0.5 * target.spacing;  // with the matter around the particles
+    const double front = target.thickness.low;
+    Measured measured{floor - front, event.last.time, 0.0, {}};
+    measured.uncertainty = target.spacing + narrow.value_or(*wide) - *wide;
+    measured.drawing = Segment{target.unseen(target.on_line(front)), target.unseen(target.on_line(floor))};
     return measured;
   };
 }

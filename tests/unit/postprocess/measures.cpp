@@ -138,6 +138,31 @@ TEST_CASE("Crater: a target that was not touched has none") {
   CHECK(take("crater_diameter", event).value <= spacing);
 }
 
+TEST_CASE("Crater: a pit is as deep as what was cut out of it, in every orientation, and an untouched target has none") {
+  for (const auto space : {Space::plane_strain, Space::solid})
+    for (const auto& of : orientations({space, {0.0, 8e-3, -20e-3, false}, false, as_it_is, {}})) {
+      const auto measured = take("crater_depth", event_of(of), space);
+      CHECK(measured.value == Approx(spacing).epsilon(1e-9));
+      CHECK(measured.uncertainty == Approx(spacing).epsilon(1e-9));
+      CHECK(norm(measured.drawing->to - measured.drawing->from) == Approx(spacing).epsilon(1e-9));
+    }
+  CHECK(std::abs(take("crater_depth", event_of({})).value) < 1e-12);
+}
+
+TEST_CASE("Crater: the depth of a channel that is slender beside the kernel is that of its floor") {
+  // Its walls, two spacings off, lie within the support of the flight line, and the uncertainty says so.
+  const auto measured = take("crater_depth", event_of({Space::plane_strain, {0.0, 4e-3, -20e-3, false}, false, as_it_is, {}}));
+  CHECK(measured.value == Approx(spacing).epsilon(1e-9));
+  CHECK(measured.uncertainty == Approx(2.0 * spacing).epsilon(1e-9));
+}
+
+TEST_CASE("Crater: a perforated target has no depth, and the message says so; a moving observer measures the same") {
+  const auto through = event_of({Space::plane_strain, {12e-3, 0.0, 30e-3, true}, false, as_it_is, {}});
+  CHECK_THROWS_WITH(take("crater_depth", through), Catch::Contains("perforated"));
+  const auto pit = event_of({Space::plane_strain, {0.0, 8e-3, -20e-3, false}, false, as_it_is, 1e-6});
+  CHECK(take("crater_depth", carried_along(pit, {-1000.0, 200.0, 0.0})).value == Approx(spacing).epsilon(1e-9));
+}
+
 TEST_CASE("Crater: a round hole in space has its diameter to within a spacing, in every orientation") {
   for (const auto& of : orientations({Space::solid, {12e-3, 0.0, 30e-3, false}, false, as_it_is, {}})) {
     const auto measured = take("crater_diameter", event_of(of), Space::solid);

@@ -39,7 +39,7 @@ std::vector<Reference> references_of(const std::string& text, const std::string&
 
 TEST_CASE("Plan: measures and pictures of a scene are read with their defaults") {
   const auto plan = plan_of("[picture.stress]\nfield = \"von_mises_stress\"\nrange = [0, \"0.3 GPa\"]\n");
-  CHECK(plan.measures.size() == 6);
+  CHECK(plan.measures.size() == 7);
   REQUIRE(plan.pictures.size() == 1);
   CHECK(plan.pictures[0].range->second == Approx(3e8));
   CHECK(plan.pictures[0].width == 1600);
@@ -52,7 +52,7 @@ TEST_CASE("Plan: a measure may have a name of its own and say its type") {
 }
 
 TEST_CASE("Plan: unknown names are answered with the known ones") {
-  refuses("[measure.crater_depth]\nbody = \"target\"\n", {"measure.crater_depth", "crater_diameter", "peak_pressure"});
+  refuses("[measure.crater_volume]\nbody = \"target\"\n", {"measure.crater_volume", "crater_diameter", "peak_pressure"});
   refuses("[measure.max_temperature]\nbody = \"tarjet\"\n", {"scene.toml:", "body", "projectile, target"});
   refuses("[measure.p]\ntype = \"peak_pressure\"\nprobe = \"edge\"\n", {"measure.p.probe", "centre"});
   refuses("[picture.a]\nfield = \"presure\"\n", {"picture.a.field", "pressure", "von_mises_stress"});

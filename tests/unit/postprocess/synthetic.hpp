@@ -131,7 +131,8 @@ inline std::string scene_text(Space space, bool half) {
       "[measure.peak_pressure]\nprobe = \"centre\"\n[measure.peak_tension]\nprobe = \"centre\"\n";
   if (space != Space::line)
     text +=
-        "[measure.crater_diameter]\nbody = \"target\"\n[measure.projectile_extension]\nbody = \"projectile\"\n"
+        "[measure.crater_diameter]\nbody = \"target\"\n[measure.crater_depth]\nbody = \"target\"\n"
+        "[measure.projectile_extension]\nbody = \"projectile\"\n"
         "[measure.projectile_travel]\nbody = \"projectile\"\n[measure.max_plastic_strain]\nbody = \"target\"\n";
   return text;
 }
