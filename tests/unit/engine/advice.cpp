@@ -144,6 +144,26 @@ TEST_CASE("Advice: artificial viscosity is named where it bears more than the fl
   CHECK(lines(1.0, "{ model = 'elastic', shear_modulus = '27.6 GPa' }").empty());
 }
 
+TEST_CASE("Advice: artificial viscosity is named where a body flies at an anvil too, and not where it flies off", "[advice]") {
+  const auto lines = [](const std::string& keep, double speed) {
+    const auto settings = settings_of(
+        "space = 'plane-strain'\nanvil = { axis = 'x', keep = '" + keep +
+        "' }\n[material.metal]\ndensity = 2785.0\n"
+        "eos = { model = 'mie-grueneisen', bulk_sound_speed = 5328.0, hugoniot_slope = 1.338, grueneisen = 2.0 }\n"
+        "strength = { model = 'perfectly-plastic', shear_modulus = '27.6 GPa', yield_stress = '0.7 GPa' }\n"
+        "[body.bar]\nmaterial = 'metal'\n[time]\nend = '10 us'\n");
+    const double first = keep == "above" ? 0.5e-3 : -29.5e-3;
+    const Lattice bar{"bar", "metal", 1e-3, {first, -4.5e-3}, {30, 10}, {speed, 0.0}};
+    return viscous_strengths(test::particles_on(Space::plane_strain, {bar}, 2785.0), settings, {});
+  };
+  // The bar is 10 mm thick: 0.78 GPa at 1000 m/s, as above.
+  REQUIRE(lines("above", -1000.0).size() == 1);
+  CHECK(lines("above", -1000.0).front().find("0.78 GPa") != std::string::npos);
+  CHECK(lines("below", 1000.0).size() == 1);
+  CHECK(lines("above", -850.0).empty());
+  CHECK(lines("above", 1000.0).empty());
+}
+
 TEST_CASE("Advice: what waves do not reach is found, with room for the fastest of them", "[advice]") {
   const std::string scene =
       "space = 'plane-strain'\n[material.metal]\ndensity = 2785.0\n"
