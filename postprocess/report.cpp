@@ -44,7 +44,7 @@ std::string verdict(const Reference& reference, double difference) {
   return std::abs(difference) <= *reference.within ? "within" : "outside";
 }
 
-constexpr const char* row = "{:<24}{:>14}{:>16}{:>14}{:>12}  {:<8} {}\n";
+constexpr const char* row = "{:<24}{:>14}{:>18}{:>14}{:>12}  {:<8} {}\n";
 
 std::string reference_row(const Reference& reference, const Report& report, const std::optional<double>& value) {
   const auto unit = shown_unit(reference.published, reference.unit);
