@@ -31,7 +31,10 @@ std::shared_ptr<Surface::Mesh> build(const std::vector<Point>& points, const Fac
       whole = whole && triangles.add_face(corners) != TriangleMesh::null_face();
     }
     whole = whole && pmp::triangulate_faces(triangles) && CGAL::is_closed(triangles);
-    if (!whole) throw InputError("this outline bounds no solid");
+    if (!whole)
+      throw InputError(
+          "the surface of a part touches itself, as where a revolved outline meets its axis with one corner alone: let "
+          "an edge of it lie on the axis, or keep it off");
     if (!pmp::is_outward_oriented(triangles)) pmp::reverse_face_orientations(triangles);
   });
   return mesh;

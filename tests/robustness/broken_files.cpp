@@ -186,6 +186,25 @@ TEST_CASE("Foreign files: a snapshot whose state lacks a number that the run nee
                               ": is missing (allowed: a snapshot of this scene, whole)\n");
 }
 
+TEST_CASE("Foreign files: one on which the HDF5 library itself fails is refused") {
+  const SmallRun small("eulerian", {"time.end=1 us", "output.snapshots=1 us"});
+  small.fill("run");
+  REQUIRE(small.program(small.solving("run")).code == 0);
+  const auto path = tektite::snapshot_files(small.folder("run")).back();
+  auto bytes = content_of(path);
+  constexpr std::size_t seal = 16;
+  bytes.resize(bytes.size() - seal);
+  const std::string leaf_of_names = "BTLF";
+  auto at = bytes.find(leaf_of_names);
+  REQUIRE(at != std::string::npos);
+  for (; at != std::string::npos; at = bytes.find(leaf_of_names)) bytes.replace(at, leaf_of_names.size(), "none");
+  write_bytes(path, bytes);
+  // A library that has learned to survive it says that the names cannot be listed.
+  CHECK_THROWS_AS(read_snapshot(path), InputError);
+  CHECK_THROWS_WITH(read_snapshot(path),
+                    Contains(path) && (Contains("the HDF5 library fails on it") || Contains("cannot be listed")));
+}
+
 TEST_CASE("Foreign files: an attribute with many values where one belongs is refused") {
   const TemporaryFolder folder;
   const auto path = folder.file("many.h5");

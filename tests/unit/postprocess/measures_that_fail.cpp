@@ -101,6 +101,9 @@ TEST_CASE("Measures that fail: a gas without a shock, one at rest, and radii wit
                     Contains("no shock runs through the gas"));
   CHECK_THROWS_WITH(take("[measure.error_l1_density]\nbody = 'body'\nfrom = 1\nto = 2\n", Space::line, event),
                     Contains("no particle lies between the radii"));
+  event.last_snapshot.particles.allocate(Field::specific_internal_energy);
+  CHECK_THROWS_WITH(take("[measure.wall_heating]\nbody = 'body'\nfrom = 0\nto = 1\n", Space::line, event),
+                    Contains("no particle lies within the radius from"));
   for (auto& velocity : event.initial.velocity) velocity = Point::zero();
   CHECK_THROWS_WITH(take("[measure.shock_position]\nbody = 'body'\n", Space::line, event),
                     Contains("the gas does not move at the start"));

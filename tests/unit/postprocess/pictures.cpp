@@ -168,6 +168,9 @@ TEST_CASE("Pictures: what cannot be drawn is a warning") {
   const auto absent = made.draw(small_picture("temperature"));
   REQUIRE(absent.size() == 1);
   CHECK(absent[0].find("warning: no picture temperature") != std::string::npos);
+  auto profile = small_picture("temperature");
+  profile.type = PictureType::profile;
+  CHECK(made.draw(profile)[0].find("warning: no picture temperature: the snapshot at 8e-06 s has no temperature") == 0);
   auto picture = small_picture("");
   picture.name = "mixed";
   picture.type = PictureType::history;

@@ -115,11 +115,13 @@ TEST_CASE("Study: page, table and answer say what was found and what failed") {
   made.run("a-1", 100.0, 0.05005);  // 0.1 %
   made.run("b-4", 0.5, 0.06);
   made.write("runs/b-2.failed", "it \"broke\"\n");
+  made.write("runs/b-1/measurements.json", R"({"cpu_seconds": 1, "particles": 1, "steps": 1, "measurements": {}})");
   const auto judged = made.study(by_radius, "target = 0.02\n");
   const auto points = read_points(judged, made.folder.path());
   // 2 % lies between 10 % at 1 s and 1 % at 10 s: 10^(ln 5 / ln 10) s.
   CHECK_THAT(answer(judged, points), Contains("`a`, with 5 s of processor time") && Contains("Not reached by `b`"));
   const auto page = study_page(judged, points);
+  CHECK_THAT(page, Contains("* `b-1` failed: inner_radius could not be measured"));
   CHECK_THAT(page, Contains("* `b-2` failed: it \"broke\"") && Contains("| `a` | 2 | 2 mm | 10 | 5 | 10 s | 1 % |"));
   // Radii 55, 50.5 and 50.05 mm: changes of 4.5 and 0.45 mm, order lg 10 / lg 2.
   CHECK_THAT(page, Contains("| `a` | inner_radius | 50.05 mm | 3.32 | 50 mm | ± 0.0625 mm | monotone | 50 mm |"));
@@ -153,6 +155,16 @@ TEST_CASE("Study: wrong ones are refused with the place and what is allowed") {
   CHECK_THAT(fault(by_radius + "variant = 'other'\nsource = 'paper'\n"), Contains("0 fitting") && Contains("a guess"));
   CHECK_THAT(fault(by_radius + "exact = '3 s'\n"), Contains("length"));
   CHECK_THAT(fault(by_radius + "exact = 0\n"), Contains("a scale is needed"));
+  made.write("gas.toml",
+             "name = 'gas'\nspace = 'line'\nspacing = '1 mm'\n[body.gas]\nmaterial = 'air'\n"
+             "[measure.error_l1_pressure]\nbody = 'gas'\n");
+  CHECK_THAT(test::fault_of([&] {
+               made.write("study.toml",
+                          "name = 'gas'\nscene = 'gas.toml'\nresolutions = [{ factor = 1 }]\n[[error]]\nmeasure = "
+                          "'error_l1_pressure'\n[line.a]\n");
+               read_judged_study(made.folder.file("study.toml"));
+             }),
+             Contains("this norm has a unit, so a scale is needed (allowed: scale = \"... Pa\")"));
   CHECK_THAT(fault(by_radius, "combine = 'median'\n"), Contains("mean, max"));
   CHECK_THAT(fault(by_radius, "targets = 1\n"), Contains("did you mean target?"));
   CHECK_THAT(fault(by_radius, "set = ['spacing = -1']\n"), Contains("--set spacing"));

@@ -232,6 +232,8 @@ TEST_CASE("Mesh: faces without an area, with one side only or at infinity are re
 TEST_CASE("Mesh: files that are missing, empty, cut short or of another kind are refused") {
   const MeshCase test;
   CHECK_THAT(test.fault("nowhere.stl"), Catch::Contains("no such mesh file"));
+  std::filesystem::create_directory(test.folder.file("folder.stl"));
+  CHECK_THAT(test.fault("folder.stl"), Catch::Contains("folder.stl: this is no file"));
   std::ofstream(test.folder.file("empty.stl"));
   CHECK_THAT(test.fault("empty.stl"), Catch::Contains("empty"));
   std::ofstream(test.folder.file("body.step")) << "ISO-10303-21;";
