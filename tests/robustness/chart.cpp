@@ -141,6 +141,37 @@ TEST_CASE("Chart: where there is no Slurm it is told once, and nothing is run") 
   CHECK(fs::is_empty(place.folder.file("out/runs")));
 }
 
+TEST_CASE("Chart: what Slurm tells of tasks that are not as they should be is told, and nothing is run") {
+  const Workplace place;
+  const auto put = [&](const std::string& program, const std::string& script) {
+    place.write(program, "#!/bin/sh\n" + script);
+    fs::permissions(place.folder.file(program), fs::perms::owner_all);
+  };
+  const auto chart = [&] {
+    return run_in(place.folder.path(), {"/usr/bin/env", "PATH=" + place.folder.path() + ":/usr/bin:/bin",
+                                        TEKTITE_PROGRAM, "chart", "study.toml", "-o", "out", "--launcher", "slurm"});
+  };
+  put("sbatch", "echo 7\n");
+  put("squeue", "exit 0\n");
+  const auto unseen = chart();
+  CHECK(unseen.code == 1);
+  CHECK_THAT(unseen.faults, Contains("squeue does not show job 7, which sbatch has submitted"));
+  CHECK(fs::is_empty(place.folder.file("out/runs")));
+
+  // A task of an earlier study has a run of the same name.
+  place.write("out/slurm/1.job", "7\n");
+  place.write("out/runs/eulerian-2.task", "1 0 1\nanother scene");
+  put("squeue", "echo 7 0 RUNNING\n");
+  const auto taken = chart();
+  CHECK(taken.code == 2);
+  CHECK_THAT(taken.faults, Contains("eulerian-2: an earlier run of this name is task 7_0 of Slurm (allowed: `scancel "
+                                    "7_0`, or to wait for its end)"));
+  put("squeue", "echo 'squeue: error: nobody answers' >&2\nexit 1\n");
+  const auto silent = chart();
+  CHECK(silent.code == 1);
+  CHECK(silent.faults == "tektite: error: squeue: nobody answers\n");
+}
+
 TEST_CASE("Chart: a wrong study is refused with its place before anything is run") {
   const Workplace place;
   const auto refused = [&](const std::string& old, const std::string& now) {

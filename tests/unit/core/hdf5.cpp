@@ -46,6 +46,11 @@ void attach_ascii(const std::string& path, const char* name) {
   REQUIRE(H5Awrite(attribute.id(), type.id(), "a") >= 0);
 }
 
+std::string bytes_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
 /// A file whose root has more members and attributes than stand in its header, and whose lists of them are spoilt.
 void write_unlisted(const std::string& path) {
   {
@@ -56,8 +61,7 @@ void write_unlisted(const std::string& path) {
     }
     writer.close();
   }
-  std::ifstream file(path, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  auto bytes = bytes_of(path);
   const std::string head_of_list = "BTHD";  // the leaves themselves HDF5 does not survive
   for (auto at = bytes.find(head_of_list); at != std::string::npos; at = bytes.find(head_of_list))
     bytes.replace(at, head_of_list.size(), "none");
@@ -122,6 +126,26 @@ TEST_CASE("HDF5: members and attributes of which the list is spoilt are refused 
   CHECK_THAT(test::fault_of([&] { reader.members("/"); }), Contains("spoilt.h5: /: cannot be listed"));
   CHECK_THAT(test::fault_of([&] { reader.attributes("/"); }),
              Contains("spoilt.h5: /: has attributes that cannot be listed"));
+}
+
+TEST_CASE("HDF5: numbers that are not those of their checksum are refused with file and place") {
+  const test::TemporaryFolder folder;
+  const auto path = folder.file("changed.h5");
+  const std::vector<double> numbers(4, 1234.5);
+  {
+    hdf5::Writer writer(path);
+    writer.reals("/four", numbers, 1);
+    writer.close();
+  }
+  const std::string stored(reinterpret_cast<const char*>(numbers.data()), sizeof(double) * numbers.size());
+  auto bytes = bytes_of(path);
+  const auto at = bytes.find(stored);
+  REQUIRE(at != std::string::npos);
+  bytes[at] = static_cast<char>(bytes[at] ^ 1);
+  std::ofstream(path, std::ios::binary) << bytes;
+  const hdf5::Reader reader(path);
+  CHECK_THAT(test::fault_of([&] { reader.reals("/four", 4, 1); }),
+             Contains("changed.h5: /four: cannot be read: it is truncated or its checksum is wrong"));
 }
 
 TEST_CASE("HDF5: what cannot be written is told with file and place") {

@@ -225,6 +225,10 @@ TEST_CASE("Mesh: faces without an area, with one side only or at infinity are re
              Catch::Contains("odd.off: the surface is not manifold") && Catch::Contains("one side only"));
   auto far = cube();
   far.corners[3][0] = std::numeric_limits<double>::infinity();
+  auto pointless = cube();
+  pointless.faces[5][2] = 8;
+  write_ply(test.folder.file("pointless.ply"), pointless);
+  CHECK_THAT(test.fault("pointless.ply"), Catch::Contains("pointless.ply: a face names a point that is not there"));
   write_binary_stl(test.folder.file("far.stl"), far);
   CHECK_THAT(test.fault("far.stl"), Catch::Contains("far.stl: a coordinate is not a finite number"));
 }
