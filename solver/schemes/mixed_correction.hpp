@@ -43,9 +43,9 @@ inline constexpr double least_moment_of_reference = 1e-3;
 /// without: they are torn off, and gradients several times too large, other ones at each search, tear them further
 /// (hvi_2d by `mixed` without the switch C_f ended so, eulerian after 1000 steps and godunov-split after 200).
 template <int D>
-constexpr double least_moment_of_pieces = 0.3 * least_moment_of_pieces<D - 1>;
+inline constexpr double least_moment_of_pieces = 0.3 * least_moment_of_pieces<D - 1>;
 template <>
-constexpr double least_moment_of_pieces<0> = 1.0;
+inline constexpr double least_moment_of_pieces<0> = 1.0;
 
 template <class Kernel, int D>
 class MixedCorrection {
