@@ -10,8 +10,8 @@ namespace tektite {
 /// e = G Ξ - u as in passes/hourglass_sums.hpp, here with the nearest neighbours all of one weight. Counted is what a
 /// shear strain as large, |E|² = D Σ|e|²/Σ|Ξ|², would cost: μ |E|² with the shear modulus μ; beside it stand
 /// p²/(2K) + s:s/(4μ), plastic and viscous work. Slip within a kernel counts too. Zero where the body has no
-/// total-Lagrangian particles or no strength, or no more in its bonds than a billionth of its kinetic energy, which is
-/// round-off.
+/// total-Lagrangian particles, no strength, or nothing stored; strains below 1e-9 are round-off of places, and count as
+/// none.
 double hourglass_share(const Particles& particles, const Body& body, const Material& material);
 
 }  // namespace tektite

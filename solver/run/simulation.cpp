@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "boundary/walls.hpp"
 #include "core/saved_number.hpp"
 #include "output/progress.hpp"
 #include "run/angular_momentum.hpp"
@@ -153,8 +154,8 @@ void Simulation::note(const Ledger& line) {
   const double made_up = line.total() - initial_energy_;
   // What starts from next to nothing may exchange far more than that, and errs by a part of it; what pulls at a body by
   // clamped particles that move does work on it.
-  if (initial_energy_ > 0.0 && !any_clamped(particles()) && made_up > runaway * initial_energy_ &&
-      made_up > 0.5 * line.at_play())
+  if (initial_energy_ > 0.0 && made_up > runaway * initial_energy_ && made_up > 0.5 * line.at_play() &&
+      !any_clamped(particles()))
     throw RunError(
         fmt::format("energy-runaway: step {}, t = {}: the scheme has made up {:.1f} times the energy of the start; a "
                     "smaller scheme.courant, more viscosity, a finer spacing or another scheme may mend it",
@@ -163,11 +164,11 @@ void Simulation::note(const Ledger& line) {
 
 double Simulation::momentum_drift(const Ledger& now) const {
   if (any_clamped(particles())) return 0.0;
+  const auto walls = walls_of(settings_.scene.symmetry, settings_.scheme.anvil);
   double square = 0.0;
   for (std::size_t k = 0; k < initial_momentum_.size(); ++k) {
-    const auto across = [axis = static_cast<int>(k)](const SymmetryPlane& plane) { return plane.axis == axis; };
-    const auto& anvil = settings_.scheme.anvil;
-    if (std::ranges::any_of(settings_.scene.symmetry, across) || (anvil && across(*anvil))) continue;
+    const auto across = [axis = static_cast<int>(k)](const SymmetryPlane& wall) { return wall.axis == axis; };
+    if (std::ranges::any_of(walls, across)) continue;
     const double change = now.momentum[k] - initial_momentum_[k];
     square += change * change;
   }
@@ -176,14 +177,13 @@ double Simulation::momentum_drift(const Ledger& now) const {
 
 std::optional<double> Simulation::angular_momentum_drift() const {
   if (any_clamped(particles())) return std::nullopt;
-  auto planes = settings_.scene.symmetry;
-  if (settings_.scheme.anvil) planes.push_back(*settings_.scheme.anvil);
+  const auto walls = walls_of(settings_.scene.symmetry, settings_.scheme.anvil);
   const auto now = angular_momentum_of(particles());
   const auto axes = axes_of_turning(particles().space());
   std::optional<double> square;
   for (std::size_t k = 0; k < axes.size(); ++k) {
-    const auto across = [axis = axes[k]](const SymmetryPlane& plane) { return plane.axis == axis; };
-    if (!std::ranges::all_of(planes, across)) continue;
+    const auto across = [axis = axes[k]](const SymmetryPlane& wall) { return wall.axis == axis; };
+    if (!std::ranges::all_of(walls, across)) continue;
     const double change = now[k] - initial_angular_momentum_[k];
     square = square.value_or(0.0) + change * change;
   }

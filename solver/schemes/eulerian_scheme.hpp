@@ -5,6 +5,7 @@
 
 #include "boundary/kernel_contact.hpp"
 #include "boundary/stop_at_anvil.hpp"
+#include "boundary/walls.hpp"
 #include "neighbours/neighbourhood.hpp"
 #include "parallel/for_each_pair.hpp"
 #include "passes/advance_motion.hpp"
@@ -41,7 +42,7 @@ class EulerianScheme final : public Scheme {
         neighbourhood_(setup.particles, Kernel::support * smoothing_.second, setup.symmetry,
                        {setup.settings.contact ? Pairing::within_bodies : Pairing::all}),
         anvil_(setup.settings.anvil),
-        walls_(walls_of(setup)) {
+        walls_(walls_of(setup.symmetry, setup.settings.anvil)) {
     if (CorrectedSums<Kernel, D>::needed(settings_)) corrected_.emplace(settings_);
     if (settings_.contact)
       contact_.emplace(particles_, setup.materials, neighbourhood_.support(), setup.symmetry, *settings_.contact);

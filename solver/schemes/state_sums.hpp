@@ -6,7 +6,6 @@
 #include <optional>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include "parallel/reduce.hpp"
 #include "passes/acoustic_step_limit.hpp"
@@ -42,13 +41,6 @@ typename TimeStepLimit<D>::Least least_acoustic_step(const Particles& p, double 
                                           p.scalars(Field::density), motion};
   return reduce(p.count(), typename TimeStepLimit<D>::Least{std::numeric_limits<double>::infinity()}, pass,
                 TimeStepLimit<D>::join);
-}
-
-/// What particles may come to: the planes of symmetry, and the anvil.
-inline std::vector<SymmetryPlane> walls_of(const SchemeSetup& setup) {
-  auto walls = setup.symmetry;
-  if (setup.settings.anvil) walls.push_back(*setup.settings.anvil);
-  return walls;
 }
 
 /// The step in s in which no two particles, and none and a wall or its image there, come nearer to each other by more

@@ -7,6 +7,7 @@
 #include "boundary/kernel_contact.hpp"
 #include "boundary/mirror.hpp"
 #include "boundary/stop_at_anvil.hpp"
+#include "boundary/walls.hpp"
 #include "neighbours/order.hpp"
 #include "passes/lagrangian_motion.hpp"
 #include "passes/lagrangian_sums.hpp"
@@ -46,7 +47,7 @@ class TotalLagrangianScheme final : public Scheme {
         materials_(setup.particles, setup.materials),
         mirror_(setup.symmetry),
         anvil_(setup.settings.anvil),
-        walls_(walls_of(setup)),
+        walls_(walls_of(setup.symmetry, setup.settings.anvil)),
         converter_(setup.settings.conversion),
         interface_(setup.settings) {
     if (settings_.contact) contact_.emplace(particles_, setup.materials, support(), setup.symmetry, *settings_.contact);
