@@ -4,9 +4,9 @@
 // each, the innermost coherent matter is looked for in every direction around the line, so that a strand of particles
 // across one station does not decide the diameter. What was thrown out in front of the target does not count, and
 // neither do loose fragments: the coherent target is what still hangs on its rim. The target's
-// surface is taken to lie across the flight line (normal impact). Its depth is that of the coherent target's first matter
-// on the flight line: what is left of the projectile on the floor counts as part of the cavity, as in a section that is
-// measured to the target's metal.
+// surface is taken to lie across the flight line (normal impact). Its depth is that of the coherent target's first
+// matter on the flight line: what is left of the projectile on the floor counts as part of the cavity, as in a section
+// that is measured to the target's metal.
 
 #include <algorithm>
 #include <cmath>
@@ -69,7 +69,8 @@ Crater crater_of(const Event& event, const Fragments& fragments, const Target& t
   return widest;
 }
 
-/// Where the coherent target begins within `reach` of the flight line, along the direction; nothing where it has none there.
+/// Where the coherent target begins within `reach` of the flight line, along the direction; nothing where it has none
+/// there.
 std::optional<double> floor_within(double reach, const Event& event, const Target& target,
                                    const std::vector<bool>& hangs) {
   std::optional<double> first;

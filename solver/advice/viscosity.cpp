@@ -49,11 +49,11 @@ std::vector<std::string> viscous_strengths(const Particles& particles, const Run
     const double viscous =
         3.0 * viscosity->alpha * material.density * sound * h / (dimensions == 2 ? 8.0 : 10.0) * rate;
     if (viscous <= *flow) return;
-    lines.push_back(fmt::format(
-        "{}: where it flows at the closing speed over the {}, {:.1e} /s, the artificial viscosity "
-        "bears some {:.2g} GPa, more than the flow stress of {:.2g} GPa, and slows the flow as a "
-        "strength would; a finer spacing or a smaller viscosity.alpha ({:.1g} makes both equal) lowers it",
-        body.name, thinner, rate, 1e-9 * viscous, 1e-9 * *flow, viscosity->alpha * *flow / viscous));
+    lines.push_back(
+        fmt::format("{}: where it flows at the closing speed over the {}, {:.1e} /s, the artificial viscosity "
+                    "bears some {:.2g} GPa, more than the flow stress of {:.2g} GPa, and slows the flow as a "
+                    "strength would; a finer spacing or a smaller viscosity.alpha ({:.1g} makes both equal) lowers it",
+                    body.name, thinner, rate, 1e-9 * viscous, 1e-9 * *flow, viscosity->alpha * *flow / viscous));
   };
   for (const auto& meeting : meetings) {
     const double rate = meeting.closing_speed / std::min(thickness(*meeting.first), thickness(*meeting.second));

@@ -144,7 +144,8 @@ TEST_CASE("Advice: artificial viscosity is named where it bears more than the fl
   CHECK(lines(1.0, "{ model = 'elastic', shear_modulus = '27.6 GPa' }").empty());
 }
 
-TEST_CASE("Advice: artificial viscosity is named where a body flies at an anvil too, and not where it flies off", "[advice]") {
+TEST_CASE("Advice: artificial viscosity is named where a body flies at an anvil too, and not where it flies off",
+          "[advice]") {
   const auto lines = [](const std::string& keep, double speed) {
     const auto settings = settings_of(
         "space = 'plane-strain'\nanvil = { axis = 'x', keep = '" + keep +

@@ -138,7 +138,8 @@ TEST_CASE("Crater: a target that was not touched has none") {
   CHECK(take("crater_diameter", event).value <= spacing);
 }
 
-TEST_CASE("Crater: a pit is as deep as what was cut out of it, in every orientation, and an untouched target has none") {
+TEST_CASE(
+    "Crater: a pit is as deep as what was cut out of it, in every orientation, and an untouched target has none") {
   for (const auto space : {Space::plane_strain, Space::solid})
     for (const auto& of : orientations({space, {0.0, 8e-3, -20e-3, false}, false, as_it_is, {}})) {
       const auto measured = take("crater_depth", event_of(of), space);
@@ -151,7 +152,8 @@ TEST_CASE("Crater: a pit is as deep as what was cut out of it, in every orientat
 
 TEST_CASE("Crater: the depth of a channel that is slender beside the kernel is that of its floor") {
   // Its walls, two spacings off, lie within the support of the flight line, and the uncertainty says so.
-  const auto measured = take("crater_depth", event_of({Space::plane_strain, {0.0, 4e-3, -20e-3, false}, false, as_it_is, {}}));
+  const auto measured =
+      take("crater_depth", event_of({Space::plane_strain, {0.0, 4e-3, -20e-3, false}, false, as_it_is, {}}));
   CHECK(measured.value == Approx(spacing).epsilon(1e-9));
   CHECK(measured.uncertainty == Approx(2.0 * spacing).epsilon(1e-9));
 }

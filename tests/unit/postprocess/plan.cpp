@@ -52,7 +52,8 @@ TEST_CASE("Plan: a measure may have a name of its own and say its type") {
 }
 
 TEST_CASE("Plan: unknown names are answered with the known ones") {
-  refuses("[measure.crater_volume]\nbody = \"target\"\n", {"measure.crater_volume", "crater_diameter", "peak_pressure"});
+  refuses("[measure.crater_volume]\nbody = \"target\"\n",
+          {"measure.crater_volume", "crater_diameter", "peak_pressure"});
   refuses("[measure.max_temperature]\nbody = \"tarjet\"\n", {"scene.toml:", "body", "projectile, target"});
   refuses("[measure.p]\ntype = \"peak_pressure\"\nprobe = \"edge\"\n", {"measure.p.probe", "centre"});
   refuses("[picture.a]\nfield = \"presure\"\n", {"picture.a.field", "pressure", "von_mises_stress"});

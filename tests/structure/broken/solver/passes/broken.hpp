@@ -1,6 +1,5 @@
 #pragma once
 inline void broken() {
 #pragma omp parallel
-  {
-  }
+  {}
 }
