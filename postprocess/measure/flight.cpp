@@ -53,8 +53,8 @@ Point centre_of_mass(const Whole& whole, std::int32_t body) {
 }
 
 Point flight_direction(const Whole& initial, std::int32_t body, const std::optional<Point>& axis) {
-  if (axis) return *axis;
   const auto velocity = mean_velocity(initial, body) - velocity_of_others(initial, body);
+  if (axis) return dot(*axis, velocity) < 0.0 ? -1.0 * *axis : *axis;
   const double speed = norm(velocity);
   if (speed == 0.0)
     throw RunError(

@@ -12,7 +12,8 @@ namespace tektite {
 /// The optional key `axis`: a direction in the coordinates of the space, of any length but zero.
 std::optional<Point> read_axis(Section& section, Space space);
 
-/// Unit vector of the body's initial mean velocity relative to that of all other bodies; `axis` where it is given.
+/// Unit vector of the body's initial mean velocity relative to that of all other bodies; `axis` where it is given,
+/// in the sense in which the body flies along it.
 /// Throws RunError where the body does not move and no axis is given.
 Point flight_direction(const Whole& initial, std::int32_t body, const std::optional<Point>& axis);
 

@@ -20,26 +20,30 @@ class EulerianRings {
   /// Rates on the way to the middle of a step.
   void predict(Particles& p, const Range& range) const {
     run_through(range, PredictRings{p.vectors<2>(Field::position), p.vectors<2>(Field::velocity),
-                                    p.tensors<2>(Field::velocity_gradient), p.scalars(Field::across_rate)});
+                                    p.tensors<2>(Field::velocity_gradient), p.scalars(Field::mass),
+                                    p.scalars(Field::density), p.scalars(Field::across_rate)});
   }
 
-  /// Circumferences in the middle of a step, where the records are by now; and what the ring's stress did on the way.
+  /// Sections in the middle of a step, where the records are by now; and what the ring's stress did on the way.
   void measure(Particles& p, const Range& range, double half_step, const Records& records) {
     run_through(range, HeatRings{p.symmetrics<2>(Field::deviatoric_stress), p.scalars(Field::pressure),
                                  p.scalars(Field::density), p.scalars(Field::across_rate), half_step,
                                  p.scalars(Field::half_energy)});
-    run_through(range, MeasureRings{records.data(), p.scalars(Field::thickness), p.scalars(Field::across_rate),
-                                    half_step, spacing_of(p, range), circumference_.data()});
+    run_through(range, MeasureRings{records.data(), p.scalars(Field::mass), p.scalars(Field::half_density),
+                                    p.scalars(Field::thickness), p.scalars(Field::across_rate), half_step,
+                                    spacing_of(p, range), sections_.data(), circumference_.data()});
   }
 
   /// Takes part in the whole records.
   void show(Particles& p, const Range& range, Records& records) {
     run_through(range, ShowRings{p.symmetrics<2>(Field::half_deviatoric_stress), p.scalars(Field::half_pressure),
-                                 circumference_.data(), records.data(), rings_.data()});
+                                 sections_.data(), records.data(), rings_.data()});
   }
 
   void resize(const Particles& p, const Mirror<2>& mirror) {
+    sections_.resize(p.count());
     circumference_.resize(p.count());
+    own_rate_.resize(p.count());
     smoothed_.resize(p.count());
     rings_.resize(p.count() + mirror.images());
   }
@@ -48,27 +52,33 @@ class EulerianRings {
   /// Rates and forces, where the velocity gradient and the accelerations of the section are known.
   void turn(Particles& p, const PairList& pairs) {
     for_each_pair(pairs, RingSums<Kernel, 2>{rings_.data(), smoothed_.data(), nullptr});
-    for_each(p.count(),
-             TurnRings{rings_.data(), smoothed_.data(), p.tensors<2>(Field::velocity_gradient), p.scalars(Field::mass),
-                       p.scalars(Field::across_rate), p.vectors<2>(Field::acceleration)});
+    for_each(p.count(), TurnRings{rings_.data(), sections_.data(), smoothed_.data(),
+                                  p.tensors<2>(Field::velocity_gradient), p.scalars(Field::mass), own_rate_.data(),
+                                  p.scalars(Field::across_rate), p.vectors<2>(Field::acceleration)});
   }
 
-  /// What the ring's stress does over a step; on the axis that of the section's record has done it.
+  /// What the ring's stress does by its own motion over a step; that of the section's record has done the rest.
   void heat(Particles& p, const Range& range, double step) const {
     const HeatRings heat{p.symmetrics<2>(Field::half_deviatoric_stress),
                          p.scalars(Field::half_pressure),
                          p.scalars(Field::half_density),
-                         p.scalars(Field::across_rate),
+                         own_rate_.data(),
                          step,
                          p.scalars(Field::specific_internal_energy)};
-    run_through(range, [&](std::size_t i) {
-      if (rings_[i].x[0] > 0.0) heat(i);
-    });
+    run_through(range, heat);
+  }
+
+  void pass_through_axis(Particles& p, const Range& range) const {
+    run_through(range, PassThroughAxis{p.vectors<2>(Field::position), p.vectors<2>(Field::velocity),
+                                       p.vectors<2>(Field::acceleration), p.tensors<2>(Field::velocity_gradient),
+                                       p.symmetrics<2>(Field::deviatoric_stress)});
   }
 
   const double* circumference() const { return circumference_.data(); }
   std::size_t memory() const {
-    return rings_.capacity() * sizeof(RingRecord<2>) + 3 * circumference_.capacity() * sizeof(double);
+    return rings_.capacity() * sizeof(RingRecord<2>) + sections_.capacity() * sizeof(RingSection) +
+           smoothed_.capacity() * sizeof(Vector<double, 2>) +
+           (circumference_.capacity() + own_rate_.capacity()) * sizeof(double);
   }
 
  private:
@@ -78,7 +88,9 @@ class EulerianRings {
     return 0.0;
   }
 
+  std::vector<RingSection> sections_;
   std::vector<double> circumference_;
+  std::vector<double> own_rate_;
   std::vector<Vector<double, 2>> smoothed_;
   std::vector<RingRecord<2>> rings_;
 };

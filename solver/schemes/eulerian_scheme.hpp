@@ -201,6 +201,7 @@ class EulerianScheme final : public Scheme {
       if constexpr (rings) rings_.heat(p, run.range, dt);
       materials_.advance_strength(run, dt);
       materials_.advance_damage(run, dt);
+      if constexpr (rings) rings_.pass_through_axis(p, run.range);
       materials_.evaluate_state(run);
     });
   }

@@ -150,6 +150,13 @@ TEST_CASE(
   CHECK(std::abs(take("crater_depth", event_of({})).value) < 1e-12);
 }
 
+TEST_CASE("Crater: an axis is a line, whose sense is that of the flight") {
+  const auto event = event_of({Space::plane_strain, {0.0, 8e-3, -20e-3, false}, false, as_it_is, {}});
+  for (const std::string axis : {"[1, 0]", "[-1, 0]"})
+    CHECK(take("crater_depth", event, Space::plane_strain, {"measure.crater_depth.axis=" + axis}).value ==
+          Approx(spacing).epsilon(1e-9));
+}
+
 TEST_CASE("Crater: the depth of a channel that is slender beside the kernel is that of its floor") {
   // Its walls, two spacings off, lie within the support of the flight line, and the uncertainty says so.
   const auto measured =
