@@ -1,5 +1,5 @@
-// What Batra and Zhang (2008), sections 4.2.1 and 4.2.3, state of a Taylor bar that is computed with other numbers of
-// particles and smoothing coefficients (figures 10, 12, 13 and 15), on coarse bars of a third the
+// What Batra and Zhang (2008), sections 4.2.1 to 4.2.3, state of a Taylor bar that is computed with other numbers of
+// particles, smoothing lengths and coefficients (figures 10 and 12 to 15), on coarse bars of a third the
 // length.
 #include <catch2/catch.hpp>
 
@@ -17,16 +17,17 @@ struct Bar {
   double lift;         ///< of the face's centre at its highest, m
 };
 
-Bar strike(int across, double share) {
+Bar strike(int across, double share, double ratio = 1.5) {
   const double spacing = radius / (across - 1);
   const int along = 1 + static_cast<int>(std::lround(length / spacing));
   auto p = test::particles_on(Space::axisymmetric,
-                              {{"bar", "steel", spacing, {0.0, 0.0}, {across, along}, {0.0, -181.0}, nullptr, 1.5}},
+                              {{"bar", "steel", spacing, {0.0, 0.0}, {across, along}, {0.0, -181.0}, nullptr, ratio}},
                               density);
   for (std::size_t i = 0; i < p.count(); ++i)
     p.scalars(Field::mass)[i] *= 2.0 * M_PI * std::max(p.reals(Field::position)[2 * i], 0.125 * spacing);
   auto simulation = test::simulation_of(
-      "smoothing.kernel = 'truncated-gaussian'\nscheme = { type = 'msph', smoothing_share = " + std::to_string(share) +
+      "smoothing.kernel = 'truncated-gaussian'\nscheme = { type = 'msph', courant = 0.2572, smoothing_share = " +
+          std::to_string(share) +
           " }\nanvil.axis = 'y'\ntime.end = '8 us'\n"
           "[material.steel]\ndensity = 7830.0\neos = { model = 'linear', bulk_modulus = '169.1 GPa' }\n"
           "strength = { model = 'johnson-cook', shear_modulus = '82.9 GPa', a = '792 MPa', b = '510 MPa', n = 0.26, c "
@@ -73,4 +74,13 @@ TEST_CASE("Taylor bar: less smoothing leaves the tail faster", "[msph][taylor]")
   WARN(little.tail_speed << " " << some.tail_speed << " " << much.tail_speed << " m/s");
   CHECK(little.tail_speed > some.tail_speed);
   CHECK(some.tail_speed > much.tail_speed);
+}
+
+TEST_CASE("Taylor bar: the smoothing length hardly changes how fast the tail is", "[msph][taylor]") {
+  const auto small = strike(13, 0.3, 1.5), middle = strike(13, 0.3, 2.0), large = strike(13, 0.3, 2.5);
+  WARN(small.tail_speed << " " << middle.tail_speed << " " << large.tail_speed << " m/s");
+  // "Essentially the same" (section 4.2.2): by less than one sees where the axis spans 181 m/s and the bounce, a
+  // thirtieth. The bar of the paper, with 20 particles along the radius, is within 4.5 m/s.
+  CHECK(std::abs(middle.tail_speed - small.tail_speed) < 181.0 / 30.0);
+  CHECK(std::abs(large.tail_speed - small.tail_speed) < 181.0 / 30.0);
 }
