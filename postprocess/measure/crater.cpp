@@ -37,7 +37,8 @@ struct Station {
 };
 
 /// Stations are as thick as two linked particles may be apart and half as far from each other, so that a sheet that
-/// hangs together is seen at each; the layer of one spacing at the front surface comes first, for shallow pits.
+/// hangs together is seen at each. The one at the front surface, which comes first, is for shallow pits: it ends one
+/// spacing behind the surface, and reaches as far before it as a sheet that is bent back and stretched there needs.
 Crater crater_of(const Event& event, const Fragments& fragments, const Target& target) {
   const auto hangs = hangs_on_rim(event, fragments, on_rim(event, target));
   const Sectors sectors(target.direction, event.last.dimensions);
@@ -47,7 +48,7 @@ Crater crater_of(const Event& event, const Fragments& fragments, const Target& t
   for (std::size_t i = 0; i < event.last.count(); ++i) {
     const auto place = target.seen(event.last.position[i]);
     const double depth = dot(place, target.direction) - target.thickness.low;
-    if (!hangs[fragments.label[i]] || depth < 0.0) continue;
+    if (!hangs[fragments.label[i]] || depth < target.spacing - 2.0 * step) continue;
     const auto across = target.across(place);
     const auto add_to = [&](std::size_t station) {
       while (stations.size() <= station) stations.push_back({step * static_cast<double>(stations.size()), nothing});
@@ -55,6 +56,7 @@ Crater crater_of(const Event& event, const Fragments& fragments, const Target& t
       distance = std::min(distance, norm(across));
     };
     if (depth < target.spacing) add_to(0);
+    if (depth < 0.0) continue;
     const auto half = static_cast<std::size_t>(depth / step);  // station k reaches from (k - 1) to (k + 1) steps
     if (half > 0) add_to(half);
     add_to(half + 1);

@@ -133,6 +133,25 @@ TEST_CASE("Crater: a pit that does not go through is measured at the original fr
     CHECK(take("crater_diameter", event_of(of)).value == Approx(8e-3).margin(0.5 * spacing));
 }
 
+// What is left of the plate is bent back but for its edge: within 8 mm of the flight line it lies behind the original
+// front surface, from there to 16 mm before it, each linked to the other, and none within one spacing of the surface.
+TEST_CASE("Crater: a sheet that crosses the original front surface between its particles is seen there") {
+  for (auto of : orientations({Space::plane_strain, {12e-3, 0.0, 30e-3, false}, false, as_it_is, {}})) {
+    auto event = event_of(of);
+    const auto along = of.turn({1.0, 0.0, 0.0});
+    const auto target = event.last.body_named("target");
+    for (std::size_t i = 0; i < event.last.count(); ++i) {
+      const auto start = event.initial.position[i];
+      const double radius = norm(start - dot(start, along) * along);
+      if (event.last.body[i] != target || radius < 6e-3 || radius > 16e-3) continue;
+      event.last.position[i] += (radius < 8e-3 ? 1.0e-3 : -1.7e-3) * along;
+    }
+    event.fragments = find_fragments(event.last, link_of_support);
+    event.narrow_fragments = event.fragments;
+    CHECK(take("crater_diameter", event).value == Approx(16e-3).epsilon(1e-9));
+  }
+}
+
 TEST_CASE("Crater: a target that was not touched has none") {
   const auto event = event_of({});
   CHECK(take("crater_diameter", event).value <= spacing);
