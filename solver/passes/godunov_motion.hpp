@@ -84,9 +84,12 @@ struct AssembleHydrodynamic {
 };
 
 /// Velocity, energy and place at the end of the step: eq. 21, 31 and 34; the place moves with the velocity v + c Δv.
+/// Where `contact` is given, Δv is by both, and the work of the force between bodies, which is not of the pairs, does
+/// not heat.
 template <int D>
 struct AdvanceGodunov {
-  const Vector<double, D>* acceleration;
+  const Vector<double, D>* acceleration;  ///< by the pairs
+  const Vector<double, D>* contact;       ///< by the force between bodies; may be null
   const double* power;
   double step;
   double centring;  ///< c
@@ -95,7 +98,7 @@ struct AdvanceGodunov {
   double* energy;
 
   void operator()(std::size_t i) const {
-    const auto change = step * acceleration[i];
+    const auto change = step * (contact ? acceleration[i] + contact[i] : acceleration[i]);
     position[i] += step * (velocity[i] + centring * change);
     velocity[i] += change;
     energy[i] += step * (power[i] - 0.5 * dot(change, acceleration[i]));

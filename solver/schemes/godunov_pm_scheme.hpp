@@ -26,9 +26,9 @@ class GodunovPmScheme final : public GodunovScheme<space, Kernel, ContactStateRe
   using Base::Base;
 
   void step(double dt) override {
-    this->search();
-    this->kick_by_contact(dt);
+    this->search(dt);
     solve_contacts();
+    this->find_contact(dt);
     advance(dt);
   }
 

@@ -85,7 +85,8 @@ class GodunovScheme : public Scheme {
 
   std::size_t memory() const override {
     return neighbourhood_.memory() + (contact_ ? contact_->memory() : 0) + records_.capacity() * sizeof(Record) +
-           (power_.capacity() + divergence_.capacity()) * sizeof(double);
+           (power_.capacity() + divergence_.capacity()) * sizeof(double) +
+           contact_acceleration_.capacity() * sizeof(Vector<double, D>);
   }
 
  protected:
@@ -93,6 +94,7 @@ class GodunovScheme : public Scheme {
     records_.resize(particles_.count() + neighbourhood_.mirror().images());
     power_.resize(particles_.count());
     divergence_.resize(particles_.count());
+    if (contact_) contact_acceleration_.resize(particles_.count());
   }
 
   void allocate_scratch() {
@@ -112,8 +114,8 @@ class GodunovScheme : public Scheme {
       if (dt > 0.0) stretch_across(run, dt);
     }
     run_through(run.range,
-                AdvanceGodunov<D>{p.template vectors<D>(Field::acceleration), power_.data(), dt,
-                                  settings_.corrected_eulerian ? 0.0 : 0.5, p.template vectors<D>(Field::position),
+                AdvanceGodunov<D>{p.template vectors<D>(Field::acceleration), contact_acceleration(), power_.data(), dt,
+                                  centring(), p.template vectors<D>(Field::position),
                                   p.template vectors<D>(Field::velocity), p.scalars(Field::specific_internal_energy)});
     run_through(run.range,
                 AdvanceDensity<plane_stress>{divergence_.data(), across_rate(), dt, p.scalars(Field::density)});
@@ -121,15 +123,16 @@ class GodunovScheme : public Scheme {
 
   void stretch_across(const Run& run, double dt) requires plane_stress {
     auto& p = particles_;
-    run_through(run.range, GrowArea{p.template vectors<D>(Field::acceleration), power_.data(), divergence_.data(),
-                                    p.template symmetrics<D>(Field::deviatoric_stress), p.scalars(Field::pressure),
-                                    p.scalars(Field::density), dt, p.template tensors<D>(Field::velocity_gradient),
-                                    p.scalars(Field::viscous_power)});
+    run_through(run.range, GrowArea{p.template vectors<D>(Field::acceleration), contact_acceleration(), power_.data(),
+                                    divergence_.data(), p.template symmetrics<D>(Field::deviatoric_stress),
+                                    p.scalars(Field::pressure), p.scalars(Field::density), dt,
+                                    p.template tensors<D>(Field::velocity_gradient), p.scalars(Field::viscous_power)});
     materials_.stretch_across(run, dt);
     run_through(run.range, AdvanceThickness{p.scalars(Field::across_rate), dt, p.scalars(Field::thickness)});
   }
 
   const double* across_rate() const { return plane_stress ? particles_.scalars(Field::across_rate) : nullptr; }
+  const Vector<double, D>* contact_acceleration() const { return contact_ ? contact_acceleration_.data() : nullptr; }
   const double* thickness() const { return plane_stress ? particles_.scalars(Field::thickness) : nullptr; }
 
   /// Brings the places in the records up to date: that is what tells of contact.
@@ -141,25 +144,30 @@ class GodunovScheme : public Scheme {
     neighbourhood_.mirror().fill(records_, particles_.count());
   }
 
-  /// Makes the list good for the present places.
-  void search() {
+  /// Makes the lists good for the present places and a step dt.
+  void search(double dt) {
     const auto scope = profile_.time("search");
     const bool ordered = neighbourhood_.prepare(0.0);
-    if (contact_) contact_->prepare(0.0, ordered);
+    if (contact_) contact_->prepare(2.0 * (1.0 - centring()) * dt, ordered);
     resize_records();
   }
 
-  /// The force between bodies changes the velocities; what it stores or gives back stands in the ledger.
-  void kick_by_contact(double dt) {
+  /// The force between bodies, which acts together with the pairs' stresses: those and a kick of its own would take
+  /// turns at what they hold in balance, and the pairs be strained by a velocity that is taken back within the step. It
+  /// is that of the places that make the motion by it alone a leapfrog.
+  void find_contact(double dt) {
     if (!contact_) return;
-    auto& p = particles_;
-    auto* const acceleration = p.template vectors<D>(Field::acceleration);
-    std::ranges::fill(p.reals(Field::acceleration), 0.0);
-    contact_->add_forces([x = p.template vectors<D>(Field::position)](std::size_t i) { return x[i]; }, acceleration);
-    hold(acceleration);
-    for_each(p.count(),
-             [=, v = p.template vectors<D>(Field::velocity)](std::size_t i) { v[i] += dt * acceleration[i]; });
+    const auto scope = profile_.time("contact");
+    std::ranges::fill(contact_acceleration_, Vector<double, D>::zero());
+    const auto ahead = [x = particles_.template vectors<D>(Field::position),
+                        v = particles_.template vectors<D>(Field::velocity),
+                        part = (1.0 - centring()) * dt](std::size_t i) { return x[i] + part * v[i]; };
+    contact_->add_forces(ahead, contact_acceleration_.data());
+    hold(contact_acceleration_.data());
   }
+
+  /// The share c of a step's change of velocity in that by which the place moves.
+  double centring() const { return settings_.corrected_eulerian ? 0.0 : 0.5; }
 
   void hold(Vector<double, D>* acceleration) { hold_still(particles_, neighbourhood_.mirror(), acceleration); }
 
@@ -173,8 +181,9 @@ class GodunovScheme : public Scheme {
   Neighbourhood<D> neighbourhood_;
   std::optional<KernelContact<D, Kernel>> contact_;
   std::vector<Record> records_;
-  std::vector<double> power_;       ///< W/kg
-  std::vector<double> divergence_;  ///< of the velocities at the contacts, 1/s
+  std::vector<double> power_;                            ///< W/kg
+  std::vector<double> divergence_;                       ///< of the velocities at the contacts, 1/s
+  std::vector<Vector<double, D>> contact_acceleration_;  ///< by the force between bodies; empty without [contact]
 };
 
 }  // namespace tektite

@@ -40,11 +40,11 @@ class GodunovSplitScheme final : public GodunovScheme<space, Kernel, Hydrodynami
 
   void step(double dt) override {
     const double part = godunov_.strang ? 0.5 * dt : dt;
-    this->search();
+    this->search(dt);
     find_correction();
-    this->kick_by_contact(part);
     kick_by_deviator(part, true);
     solve_contacts(dt);
+    this->find_contact(dt);
     advance(dt, part);
     if (godunov_.strang) finish_symmetrically(part);
   }
@@ -191,7 +191,7 @@ class GodunovSplitScheme final : public GodunovScheme<space, Kernel, Hydrodynami
 
   /// Strang: the second half of the deviatoric step, its parts in the opposite order.
   void finish_symmetrically(double part) {
-    this->search();
+    this->search(0.0);
     find_correction();
     assemble_deviatoric();
     {
@@ -207,7 +207,6 @@ class GodunovSplitScheme final : public GodunovScheme<space, Kernel, Hydrodynami
       materials_.release(run, Field::deviatoric_stress, Field::pressure);
     });
     kick_by_deviator(part, false);
-    this->kick_by_contact(part);
     materials_.evaluate_state();
     this->place_records();
   }
