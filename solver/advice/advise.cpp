@@ -196,6 +196,7 @@ Advice advise(const Particles& particles, const RunSettings& settings, const std
               Document& document) {
   Advice advice;
   advice.lines = in_words(meetings, settings.materials);
+  std::ranges::move(misses(particles), std::back_inserter(advice.lines));
   advise_on_thickness(particles, settings, advice);
   std::ranges::move(viscous_strengths(particles, settings, meetings), std::back_inserter(advice.lines));
   advise_on_axis(particles, settings, meetings, advice);

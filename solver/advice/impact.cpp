@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 #include "core/body_mean.hpp"
 #include "physics/eos/shock_slope.hpp"
@@ -14,6 +15,9 @@ namespace {
 /// no fit to a solid's Hugoniot, and tells where the compression is no longer small.
 constexpr double least_slope = 1.0, largest_slope = 2.0;
 constexpr double small_compression = 0.05;
+
+/// How far every kernel reaches: there contact begins, of kernel sums and of [contact].
+constexpr double support_in_smoothing_lengths = 2.0;
 
 /// c_l + 0.6 α c, the denominator of the time step, in m/s.
 double signal_speed(double sound, double shear_modulus, double density, double alpha) {
@@ -54,12 +58,21 @@ std::vector<std::string> doubts(const Body& body, const Material& material, cons
   return doubts;
 }
 
-/// How fast two bodies come nearer, and what is between them; a speed of zero where they do not.
-Meeting approach(const Particles& particles, const Body& a, const Body& b) {
+/// Two boxes, one of which moves against the other.
+struct Approach {
+  double speed = 0.0;   ///< of the motion, m/s; zero where the boxes do not come nearer
+  double gap = 0.0;     ///< between the boxes, m
+  bool passes = false;  ///< whether the boxes, undeflected, never come within `reach` of each other
+};
+
+/// Of the boxes about two bodies, by their mean velocities.
+Approach approach(const Particles& particles, const Body& a, const Body& b) {
   const auto va = mean_over(particles, a, Field::velocity), vb = mean_over(particles, b, Field::velocity);
-  const auto position = particles.reals(Field::position);
+  const auto position = particles.reals(Field::position), h = particles.reals(Field::smoothing_length);
   const auto width = static_cast<std::size_t>(particles.dimensions());
+  const double reach = support_in_smoothing_lengths * std::max(h[a.range.begin], h[b.range.begin]);
   double along = 0.0, square = 0.0, apart = 0.0;
+  double first = 0.0, last = std::numeric_limits<double>::infinity();  // when the boxes are within reach, in s
   for (std::size_t k = 0; k < width; ++k) {
     double low[2], high[2];
     for (const int side : {0, 1}) {
@@ -72,11 +85,29 @@ Meeting approach(const Particles& particles, const Body& a, const Body& b) {
     }
     // Between the extents along this axis; zero where they overlap.
     const double gap = low[0] > high[1] ? low[0] - high[1] : low[1] > high[0] ? high[0] - low[1] : 0.0;
-    along += gap * (va[k] - vb[k]);
-    square += (va[k] - vb[k]) * (va[k] - vb[k]);
+    const double speed = va[k] - vb[k];
+    along += gap * speed;
+    square += speed * speed;
     apart += gap * gap;
+    const double before = low[1] - reach - high[0], behind = high[1] + reach - low[0];  // ways until they are in reach
+    if (speed != 0.0) {
+      first = std::max(first, std::min(before / speed, behind / speed));
+      last = std::min(last, std::max(before / speed, behind / speed));
+    } else if (before > 0.0 || behind < 0.0) {
+      last = -1.0;
+    }
   }
-  return {&a, &b, along < 0.0 ? std::sqrt(square) : 0.0, std::sqrt(apart), std::nullopt};
+  return {along < 0.0 ? std::sqrt(square) : 0.0, std::sqrt(apart), first > last};
+}
+
+/// Visits (first, second, approach) for every two bodies that come nearer.
+template <class Visit>
+void each_approach(const Particles& particles, const Visit& visit) {
+  const auto& bodies = particles.bodies();
+  for (std::size_t a = 0; a < bodies.size(); ++a)
+    for (std::size_t b = a + 1; b < bodies.size(); ++b)
+      if (const auto near = approach(particles, bodies[a], bodies[b]); near.speed > 0.0)
+        visit(bodies[a], bodies[b], near);
 }
 
 }  // namespace
@@ -87,17 +118,26 @@ double wave_speed_at_rest(const Material& material) {
 
 std::vector<Meeting> meetings(const Particles& particles, const std::map<std::string, Material>& materials) {
   std::vector<Meeting> all;
-  const auto& bodies = particles.bodies();
-  for (std::size_t a = 0; a < bodies.size(); ++a)
-    for (std::size_t b = a + 1; b < bodies.size(); ++b) {
-      auto meeting = approach(particles, bodies[a], bodies[b]);
-      if (meeting.closing_speed == 0.0) continue;
-      meeting.shocked = std::visit(
-          [&](const auto& first, const auto& second) { return match_impedances(first, second, meeting.closing_speed); },
-          materials.at(bodies[a].material).eos, materials.at(bodies[b].material).eos);
-      all.push_back(meeting);
-    }
+  each_approach(particles, [&](const Body& a, const Body& b, const Approach& near) {
+    if (near.passes) return;
+    const auto shocked =
+        std::visit([&](const auto& first, const auto& second) { return match_impedances(first, second, near.speed); },
+                   materials.at(a.material).eos, materials.at(b.material).eos);
+    all.push_back({&a, &b, near.speed, near.gap, shocked});
+  });
   return all;
+}
+
+std::vector<std::string> misses(const Particles& particles) {
+  std::vector<std::string> lines;
+  each_approach(particles, [&](const Body& a, const Body& b, const Approach& near) {
+    if (near.passes)
+      lines.push_back(
+          fmt::format("{} and {} come nearer at {:.4g} m/s, but pass each other by unless something deflects "
+                      "them",
+                      a.name, b.name, near.speed));
+  });
+  return lines;
 }
 
 double step_shortening(const std::vector<Meeting>& meetings, const std::map<std::string, Material>& materials,

@@ -24,8 +24,11 @@ struct Meeting {
   std::optional<Impact> shocked;  ///< nothing where an equation of state has no such shock
 };
 
-/// Every two bodies whose mean velocities bring them together.
+/// Every two bodies whose mean velocities bring the boxes about them together.
 std::vector<Meeting> meetings(const Particles& particles, const std::map<std::string, Material>& materials);
+
+/// A line for every two bodies that come nearer and whose boxes pass each other by all the same.
+std::vector<std::string> misses(const Particles& particles);
 
 /// By how much a time step is shorter in impacted material than in the same at rest: the ratio of c_l + 0.6 α c behind
 /// and before the strongest shock; 1 where nothing meets.

@@ -123,6 +123,27 @@ TEST_CASE("Advice: particles through a plate, a tilted row's end and a plate beh
   CHECK(ball <= 7.0);
 }
 
+TEST_CASE("Advice: bodies that come nearer and pass each other by do not meet, and are told", "[advice]") {
+  const auto settings = settings_of(
+      "space = 'plane-strain'\n[material.metal]\ndensity = 2785.0\n"
+      "eos = { model = 'linear', bulk_modulus = '79 GPa' }\n[body.ball]\nmaterial = 'metal'\n"
+      "[body.plate]\nmaterial = 'metal'\n[time]\nend = '10 us'\n");
+  // A plate of 20 mm x 20 mm whose lower edge lies at y = 0; the ball flies with its upper edge at -`below`.
+  const auto past = [&](double below, const std::vector<double>& velocity) {
+    const Lattice ball{"ball", "metal", 1e-3, {-50e-3, -below - 9e-3}, {10, 10}, velocity};
+    const Lattice plate{"plate", "metal", 1e-3, {0.0, 0.0}, {20, 20}, {0.0, 0.0}};
+    const auto particles = test::particles_on(Space::plane_strain, {ball, plate}, 2785.0);
+    return std::pair{meetings(particles, settings.materials).size(), misses(particles).size()};
+  };
+  // The kernel reaches 2.8 mm.
+  CHECK(past(2.0e-3, {1000.0, 0.0}) == std::pair<std::size_t, std::size_t>{1, 0});
+  CHECK(past(3.0e-3, {1000.0, 0.0}) == std::pair<std::size_t, std::size_t>{0, 1});
+  CHECK(past(30e-3, {1000.0, 500.0}) == std::pair<std::size_t, std::size_t>{1, 0});
+  CHECK(past(30e-3, {1000.0, -10.0}) == std::pair<std::size_t, std::size_t>{0, 1});
+  CHECK(past(30e-3, {1000.0, 2000.0}) == std::pair<std::size_t, std::size_t>{0, 1});
+  CHECK(past(30e-3, {-1000.0, 0.0}) == std::pair<std::size_t, std::size_t>{0, 0});
+}
+
 TEST_CASE("Advice: artificial viscosity is named where it bears more than the flow stress", "[advice]") {
   const auto lines = [](double alpha, const std::string& strength) {
     const auto settings = settings_of(
