@@ -1,10 +1,16 @@
 #include "run/angular_momentum.hpp"
 
+#include <algorithm>
+
 #include "core/tensor.hpp"
 #include "parallel/reduce.hpp"
 
 namespace tektite {
 namespace {
+
+/// What is slower than this part of its own speed, as seen by who flies along with the centre of mass, does not turn:
+/// it is what round-off, 1e-16 of the speed a step, has left after any number of steps.
+constexpr double next_to_rest = 1e-9;
 
 /// Places are taken from the first particle, so that far from the origin nothing is lost to round-off.
 template <int D>
@@ -62,7 +68,10 @@ double largest(const Particles& p) {
   const auto *x = p.vectors<D>(Field::position), *v = p.vectors<D>(Field::velocity);
   const auto centre = x[0] + (1.0 / moments.mass) * moments.position, mean = (1.0 / moments.mass) * moments.velocity;
   return reduce(
-      p.count(), 0.0, [&](double& sum, std::size_t i) { sum += mass[i] * norm(x[i] - centre) * norm(v[i] - mean); },
+      p.count(), 0.0,
+      [&](double& sum, std::size_t i) {
+        sum += mass[i] * norm(x[i] - centre) * std::max(norm(v[i] - mean), next_to_rest * norm(v[i]));
+      },
       [](double& whole, double part) { whole += part; });
 }
 
