@@ -85,6 +85,13 @@ std::optional<double> floor_within(double reach, const Event& event, const Targe
   return first;
 }
 
+/// Whether the target had matter within `reach` of the flight line at the start.
+bool lay_within(double reach, const Event& event, const Target& target) {
+  for (std::size_t i = 0; i < event.initial.count(); ++i)
+    if (event.initial.body[i] == target.body && norm(target.across(event.initial.position[i])) <= reach) return true;
+  return false;
+}
+
 }  // namespace
 
 /// Keys: body (the target); projectile (default: the body that moves fastest against it); axis.
@@ -92,6 +99,7 @@ Measure read_crater_diameter(Section& section, const Declared& declared) {
   const auto find_target = read_target(section, declared, true);
   return [=](const Event& event) {
     const auto target = find_target(event);
+    require_across(event, target, Face::front);
     const auto wide = crater_of(event, event.fragments, target);
     const auto narrow = crater_of(event, event.narrow_fragments, target);
     Measured measured{wide.diameter, event.last.time, 0.0, {}};
@@ -112,7 +120,10 @@ Measure read_crater_depth(Section& section, const Declared& declared) {
     const auto hangs = hangs_on_rim(event, event.fragments, on_rim(event, target));
     // The wall of a slender channel lies within the support of its axis, so a smoothing length is looked across first.
     const auto wide = floor_within(link_of_support * target.smoothing_length, event, target, hangs);
+    if (!wide && !lay_within(link_of_support * target.smoothing_length, event, target))
+      throw RunError("the flight line passes the target by: there was nothing of it at the start");
     if (!wide) throw RunError("the target is perforated: its coherent matter leaves the flight line free");
+    require_across(event, target, Face::front);
     const auto narrow = floor_within(link_of_smoothing_length * target.smoothing_length, event, target, hangs);
     const double floor = narrow.value_or(*wide) - 0.5 * target.spacing;  // with the matter around the particles
     const double front = target.thickness.low;

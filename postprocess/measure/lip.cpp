@@ -138,6 +138,7 @@ Measure read_impact_diameter(Section& section, const Declared& declared) {
   const auto find_target = read_target(section, declared, true);
   return [=](const Event& event) {
     const auto target = find_target(event);
+    require_across(event, target, Face::back);
     const auto wide = lip_of(event, event.fragments, target);
     const auto narrow = lip_of(event, event.narrow_fragments, target);
     check_perforated(wide, target);
@@ -159,6 +160,7 @@ Measure read_lip_height(Section& section, const Declared& declared) {
   const auto find_target = read_target(section, declared, true);
   return [=](const Event& event) {
     const auto target = find_target(event);
+    require_across(event, target, Face::back);
     const auto wide = lip_of(event, event.fragments, target);
     const auto narrow = lip_of(event, event.narrow_fragments, target);
     check_perforated(wide, target);

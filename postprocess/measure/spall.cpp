@@ -5,8 +5,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "postprocess/measure/flight.hpp"
-#include "postprocess/measure/measure.hpp"
+#include "postprocess/measure/target.hpp"
 
 namespace tektite {
 
@@ -43,21 +42,20 @@ Measure read_damaged_area(Section& section, const Declared& declared) {
 /// Largest velocity along the flight of the projectile on the plate's back face in the last snapshot: the mean over the
 /// particles that started on that face within two smoothing lengths of the fastest one. The face is known to a spacing:
 /// the uncertainty is what the fastest of these particles, and the mean of the layer behind them, differ from it.
-/// Keys: body, projectile, axis (the direction of flight).
+/// Keys: body (the plate), projectile, axis.
 Measure read_spall_velocity(Section& section, const Declared& declared) {
-  const auto plate = read_body(section, "body", declared);
-  const auto projectile = read_body(section, "projectile", declared);
-  const auto axis = read_axis(section, declared.space);
+  const auto find_target = read_target(section, declared, false);
   return [=](const Event& event) {
+    const auto target = find_target(event);
+    require_across(event, target, Face::back);
     const auto& initial = event.initial;
     const auto& last = event.last;
-    const auto body = initial.body_named(plate);
-    const auto direction = flight_direction(initial, initial.body_named(projectile), axis);
-    const auto extent = extent_along(initial, direction, [&](std::size_t i) { return initial.body[i] == body; });
-    const double spacing = initial.bodies[static_cast<std::size_t>(body)].spacing;
+    const auto body = target.body;
+    const auto direction = target.direction;
     const auto place = places_in(initial, last);
     const auto layer = [&](std::size_t i) {  // 0 is the face
-      return static_cast<std::size_t>((extent.high - dot(initial.position[place[i]], direction)) / spacing);
+      return static_cast<std::size_t>((target.thickness.high - dot(initial.position[place[i]], direction)) /
+                                      target.spacing);
     };
     std::size_t fastest = 0;
     double most = -limits::infinite;

@@ -1,5 +1,7 @@
 #include "postprocess/measure/target.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -40,6 +42,15 @@ std::vector<bool> clamped(const Event& event, const Target& target) {
   return chosen;
 }
 
+/// Where the projectile's centre comes to the plane of the target's foremost matter, which is across an axis that need
+/// not be its flight; its centre at the start where it does not come there.
+Point met_at(const Event& event, const Target& target) {
+  const auto velocity = mean_velocity(event.initial, target.projectile) - mean_velocity(event.initial, target.body);
+  const double ahead = target.thickness.low - dot(target.centre, target.direction);
+  const double speed = dot(velocity, target.direction);
+  return ahead > 0.0 && speed > 0.0 ? target.centre + (ahead / speed) * velocity : target.centre;
+}
+
 }  // namespace
 
 FindTarget read_target(Section& section, const Declared& declared, bool needs_across) {
@@ -63,8 +74,36 @@ FindTarget read_target(Section& section, const Declared& declared, bool needs_ac
     target.thickness = extent_along(event.initial, target.direction,
                                     [&](std::size_t i) { return event.initial.body[i] == target.body; });
     target.carried = (event.last.time - event.initial.time) * mean_velocity(event.initial, target.body);
+    if (axis) target.centre = met_at(event, target);
     return target;
   };
+}
+
+void require_across(const Event& event, const Target& target, Face face) {
+  const auto outward = face == Face::front ? -1.0 * target.direction : target.direction;
+  const auto& whole = event.initial;
+  double foremost = -limits::infinite;
+  for (std::size_t i = 0; i < whole.count(); ++i)
+    if (whole.body[i] == target.body) foremost = std::max(foremost, dot(whole.position[i], outward));
+  const Sectors sectors(target.direction, whole.dimensions);
+  constexpr int turns = 12;  // directions across; in the plane there are two
+  std::vector<double> reach(static_cast<std::size_t>(turns), -limits::infinite);
+  for (std::size_t i = 0; i < whole.count(); ++i) {
+    if (whole.body[i] != target.body || dot(whole.position[i], outward) < foremost - target.spacing) continue;
+    const auto across = target.across(whole.position[i]);
+    for (int k = 0; k < turns; ++k) {
+      const double angle = 2.0 * std::numbers::pi * k / turns;
+      const double part = whole.dimensions == 2 ? 0.0 : std::sin(angle);
+      const auto side =
+          (whole.dimensions == 2 ? (k % 2 ? -1.0 : 1.0) : std::cos(angle)) * sectors.first() + part * sectors.second();
+      reach[static_cast<std::size_t>(k)] = std::max(reach[static_cast<std::size_t>(k)], dot(across, side));
+    }
+  }
+  if (*std::min_element(reach.begin(), reach.end()) < -target.spacing)
+    throw RunError(
+        fmt::format("the target's {} face does not lie across the flight line, which its farthest matter leaves to one "
+                    "side; give the measure as axis the direction across that face",
+                    face == Face::front ? "front" : "back"));
 }
 
 std::vector<bool> on_rim(const Event& event, const Target& target) {

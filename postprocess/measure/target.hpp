@@ -10,7 +10,7 @@ struct Target {
   std::int32_t body;
   std::int32_t projectile;
   Point centre;             ///< a point of the flight line: the projectile's centre of mass at the start
-  Point direction;          ///< of flight
+  Point direction;          ///< of flight; or the axis that is given, through the place where the projectile strikes
   double spacing;           ///< of the target, in m
   double smoothing_length;  ///< of the target in the end, the largest, in m
   Extent thickness;         ///< of the target at the start, along the direction
@@ -33,6 +33,12 @@ using FindTarget = std::function<Target(const Event&)>;
 /// The keys body (the target), projectile (left out: the body that moves fastest against it) and axis. In a line there
 /// is nothing across, which is a fault where `needs_across`.
 FindTarget read_target(Section& section, const Declared& declared, bool needs_across);
+
+enum class Face { front, back };
+
+/// Throws RunError where a face of the target at the start does not lie across the flight line: where its farthest
+/// matter, that within a spacing, does not surround the line.
+void require_across(const Event& event, const Target& target, Face face);
 
 /// For each particle of the last state, whether it belongs to the rim that holds the target: its clamped particles, or
 /// where it has none, those that lay in the outermost tenth around the flight line.

@@ -176,6 +176,26 @@ TEST_CASE("Crater: an axis is a line, whose sense is that of the flight") {
           Approx(spacing).epsilon(1e-9));
 }
 
+TEST_CASE("Crater: of an oblique impact it is measured along the axis that is given, about the place that is struck") {
+  // The plate with its pit is moved sideways, and the disc flies so that its centre comes to the middle of the pit.
+  for (const auto space : {Space::plane_strain, Space::solid}) {
+    auto event = event_of({space, {0.0, 8e-3, -20e-3, false}, false, as_it_is, {}});
+    for (auto* whole : {&event.initial, &event.last})
+      for (std::size_t i = 0; i < whole->count(); ++i)
+        if (whole->body[i] == whole->body_named("target")) whole->position[i][1] += 6e-3;
+    for (std::size_t i = 0; i < event.initial.count(); ++i)
+      if (event.initial.body[i] == event.initial.body_named("projectile"))
+        event.initial.velocity[i] = {1000.0, 1000.0, 0.0};
+    const std::string axis = space == Space::solid ? "axis=[1,0,0]" : "axis=[1,0]";
+    CHECK(take("crater_depth", event, space, {"measure.crater_depth." + axis}).value == Approx(spacing).epsilon(1e-9));
+    CHECK(take("crater_diameter", event, space, {"measure.crater_diameter." + axis}).value ==
+          Approx(8e-3).margin(0.5 * spacing));
+    // Along the flight the plate's corner would be taken for its front.
+    for (const std::string name : {"crater_depth", "crater_diameter"})
+      CHECK_THROWS_WITH(take(name, event, space), Catch::Contains("the target's front face does not lie across"));
+  }
+}
+
 TEST_CASE("Crater: the depth of a channel that is slender beside the kernel is that of its floor") {
   // Its walls, two spacings off, lie within the support of the flight line, and the uncertainty says so.
   const auto measured =
@@ -187,6 +207,11 @@ TEST_CASE("Crater: the depth of a channel that is slender beside the kernel is t
 TEST_CASE("Crater: a perforated target has no depth, and the message says so; a moving observer measures the same") {
   const auto through = event_of({Space::plane_strain, {12e-3, 0.0, 30e-3, true}, false, as_it_is, {}});
   CHECK_THROWS_WITH(take("crater_depth", through), Catch::Contains("perforated"));
+  auto beside = event_of({});
+  for (auto* whole : {&beside.initial, &beside.last})
+    for (std::size_t i = 0; i < whole->count(); ++i)
+      if (whole->body[i] == whole->body_named("target")) whole->position[i][1] += 0.1;
+  CHECK_THROWS_WITH(take("crater_depth", beside), Catch::Contains("passes the target by"));
   const auto pit = event_of({Space::plane_strain, {0.0, 8e-3, -20e-3, false}, false, as_it_is, 1e-6});
   CHECK(take("crater_depth", carried_along(pit, {-1000.0, 200.0, 0.0})).value == Approx(spacing).epsilon(1e-9));
 }
