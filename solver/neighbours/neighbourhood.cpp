@@ -103,6 +103,7 @@ void Neighbourhood<D>::find_regions() {
 
 template <int D>
 void Neighbourhood<D>::list() {
+  ++lists_;
   const auto* x = particles_.vectors<D>(search_.positions);
   places_.assign(x, x + particles_.count());
   mirror_.find(places_, reach_);

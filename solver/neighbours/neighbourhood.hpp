@@ -47,6 +47,8 @@ class Neighbourhood {
   void restore(const std::map<std::string, double>& state);
 
   const PairList& pairs() const { return pairs_; }
+  /// How many lists there have been: who keeps something that follows from one sees by it that there is another.
+  std::size_t lists() const { return lists_; }
   /// Whose records a loop over the pairs reads, in ascending order; kept where the list is not of all particles.
   const std::vector<std::uint32_t>& members() const { return members_; }
   const Mirror<D>& mirror() const { return mirror_; }
@@ -74,6 +76,7 @@ class Neighbourhood {
   CellGrid<D> regions_;
   std::vector<VectorBox<D>> boxes_;  ///< of the displacements since the last search, region by region
   PairList pairs_;
+  std::size_t lists_ = 0;
   std::vector<std::uint32_t> members_;
   std::vector<Vector<double, D>> places_;
 };

@@ -22,7 +22,6 @@
 #include "output/summary.hpp"
 #include "parallel/threads.hpp"
 #include "run/angular_momentum.hpp"
-#include "run/contact_at_start.hpp"
 #include "run/floating_point_traps.hpp"
 #include "run/simulation.hpp"
 #include "run/watch.hpp"
@@ -91,7 +90,6 @@ class Run {
     if (!resumed_) {
       for (const auto& line : probes_.in_words(particles)) log_->info("  {}", line);
       write_history();
-      if (const auto warning = contact_at_start(simulation_)) tell(watch_.note({*warning}));
       write_snapshot();
     } else {
       last_snapshot_ = origin.file;
@@ -297,7 +295,6 @@ void check(const CheckOptions& options) {
   std::optional<InputError> failure;
   try {
     print_scene(simulation);
-    if (const auto warning = contact_at_start(simulation)) fmt::print("advice: {}\n", warning->text);
     for (const auto& line :
          Probes(simulation.settings().probes, simulation.particles()).in_words(simulation.particles()))
       fmt::print("{}\n", line);

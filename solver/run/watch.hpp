@@ -53,13 +53,12 @@ class Watch {
   std::vector<Warning> look(const Particles& particles, const RunSettings& settings,
                             const std::vector<Warning>& of_scheme);
 
-  /// Those of these that have not been told yet.
-  std::vector<Warning> note(const std::vector<Warning>& warnings);
-
   /// Names of all that has been told.
   std::set<std::string> names() const;
 
  private:
+  /// Those of these that have not been told yet.
+  std::vector<Warning> note(const std::vector<Warning>& warnings);
   void look_at(const Particles& particles, const Body& body, const RunSettings& settings, std::vector<Warning>& found);
   /// Adds it where it has not been told of this body yet.
   void tell(std::vector<Warning>& found, const std::string& name, const std::string& body, std::string text);

@@ -165,6 +165,7 @@ TEST_CASE("Foreign files: a snapshot whose state lacks a number that the run nee
                                                                         {"eulerian", "stop_when.perforated.front"},
                                                                         {"godunov-pm", "search_reach"},
                                                                         {"msph", "first_order_particle_steps"},
+                                                                        {"adaptle", "contact_bodies_in_touch"},
                                                                         {"total-lagrangian", "hourglass_energy"}}));
   INFO(scheme << ": " << name);
   std::vector<std::string> settings{"time.end=1 us", "output.snapshots=1 us"};

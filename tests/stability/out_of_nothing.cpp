@@ -1,10 +1,9 @@
-// Motion out of nothing: a limiter that steepens waves pays for it with internal energy, and bodies that start within
-// each other's reach are driven apart by their contact. Both keep the total energy, so both have a name of their own.
+// Motion out of nothing: a limiter that steepens waves pays for it with internal energy. It keeps the total energy, so
+// it has a name of its own.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 
-#include "run/contact_at_start.hpp"
 #include "support/lattice.hpp"
 #include "support/said.hpp"
 
@@ -29,18 +28,6 @@ Simulation ringing_bar(const std::string& scheme) {
   return test::simulation_of(scheme + elastic, std::move(particles));
 }
 
-/// Two plates at rest with this many spacings between their outermost particles.
-Simulation plates(double apart, double speed) {
-  const double width = 8 * d;
-  auto particles = test::particles_on(Space::plane_strain,
-                                      {{"left", "metal", d, {0.0, 0.0}, {8, 24}, {speed, 0.0}},
-                                       {"right", "metal", d, {width - d + apart * d, 0.0}, {8, 24}, {0.0, 0.0}}},
-                                      2785.0);
-  return test::simulation_of(
-      "scheme = { type = 'total-lagrangian' }\ncontact = { model = 'kernel-penalty' }\n" + elastic,
-      std::move(particles));
-}
-
 }  // namespace
 
 TEST_CASE("Energy debt: superbee makes an elastic bar ring ever louder, other limiters hardly do, and it is told") {
@@ -61,10 +48,4 @@ TEST_CASE("Energy debt: superbee makes an elastic bar ring ever louder, other li
     CHECK(std::abs(simulation.energy_drift(simulation.ledger())) < 1e-2);
     CHECK(test::said(simulation).contains("energy-debt") == told);
   }
-}
-
-TEST_CASE("Contact at the start: bodies that touch are told of, those a support apart are not, nor fast ones") {
-  CHECK(contact_at_start(plates(1.0, 0.0)).has_value());
-  CHECK_FALSE(contact_at_start(plates(3.0, 0.0)).has_value());
-  CHECK_FALSE(contact_at_start(plates(2.0, 3000.0)).has_value());
 }

@@ -97,19 +97,21 @@ TEST_CASE("Contact: what it stores follows from places and materials, not from h
           "[contact]") {
   const auto stored = [](const std::string& scheme, double density) {
     auto p = test::particles_on(Space::plane_strain,
-                                {{"left", "metal", spacing, {-9.5 * spacing, 0.0}, {8, 8}, {0.0, 0.0}},
+                                {{"left", "metal", spacing, {-10.0 * spacing, 0.0}, {8, 8}, {1e6, 0.0}},
                                  {"right", "metal", spacing, {0.0, 0.0}, {8, 8}, {0.0, 0.0}}},
                                 2785.0);
     for (auto i = p.bodies()[1].range.begin; i < p.bodies()[1].range.end; ++i) {
       p.reals(Field::mass)[i] *= density;
       p.reals(Field::density)[i] *= density;
     }
-    return test::simulation_of(scene_of(scheme), std::move(p)).ledger().contact;
+    auto run = test::simulation_of(scene_of(scheme), std::move(p));
+    run.step();  // so fast that nothing but the left body moves on the way into reach
+    return run.ledger().contact;
   };
   for (const std::string scheme : {"eulerian", "total-lagrangian"}) {
     INFO(scheme);
     REQUIRE(stored(scheme, 1.0) > 0.0);
-    CHECK(stored(scheme, 0.9) == Approx(stored(scheme, 1.0)).epsilon(1e-12));
+    CHECK(stored(scheme, 0.9) == Approx(stored(scheme, 1.0)).epsilon(1e-3));
   }
 }
 

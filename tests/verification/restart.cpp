@@ -21,7 +21,7 @@ std::vector<std::string> scenes(Space space) {
   const std::string contact = "contact.model = 'kernel-penalty'\n";
   std::vector<std::string> all{test::impact_scene, contact + test::impact_scene};
   if (space != Space::plane_stress) {
-    all.push_back(contact + "scheme.type = 'total-lagrangian'\n" + test::impact_scene);
+    all.push_back(contact + "contact.begins = 'at-faces'\nscheme.type = 'total-lagrangian'\n" + test::impact_scene);
     all.push_back(
         contact +
         "contact.itself = true\nscheme = { type = 'adaptle', correction = 'reference', conversion = 'strain', "
