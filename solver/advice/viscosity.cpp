@@ -3,33 +3,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <optional>
 
+#include "advice/flow_stress.hpp"
 #include "advice/thickness.hpp"
 #include "core/body_mean.hpp"
 
 namespace tektite {
-namespace {
-
-/// At the beginning of plastic flow at this rate; nothing where the material does not flow, or bears what the pressure
-/// lets it bear.
-std::optional<double> flow_stress(const Material& material, double rate) {
-  return std::visit(
-      [rate](const auto& model) -> std::optional<double> {
-        using Model = std::decay_t<decltype(model)>;
-        if constexpr (Model::kind.yields && !Model::kind.crushes) {
-          FlowState state;
-          state.plastic_strain_rate = rate;
-          if constexpr (requires { model.room_temperature; }) state.temperature = model.room_temperature;
-          return model.flow_stress(state);
-        } else {
-          return std::nullopt;
-        }
-      },
-      material.strength);
-}
-
-}  // namespace
 
 std::vector<std::string> viscous_strengths(const Particles& particles, const RunSettings& settings,
                                            const std::vector<Meeting>& meetings) {

@@ -1,6 +1,7 @@
 // What tektite check finds in a scene: symmetry, thickness, what waves reach, and the pressure of an impact.
 #include <catch2/catch.hpp>
 
+#include "advice/contact.hpp"
 #include "advice/impact.hpp"
 #include "advice/reach.hpp"
 #include "advice/symmetry.hpp"
@@ -184,6 +185,31 @@ TEST_CASE("Advice: artificial viscosity is named where a body flies at an anvil 
   CHECK(lines("below", 1000.0).size() == 1);
   CHECK(lines("above", -850.0).empty());
   CHECK(lines("above", 1000.0).empty());
+}
+
+TEST_CASE("Advice: a contact that begins in reach is named where an elastic impact is too slow for it", "[advice]") {
+  const auto lines = [](double speed, const std::string& contact, const std::string& strength) {
+    const auto settings = settings_of(
+        "space = 'plane-strain'\nscheme.type = 'total-lagrangian'\n" + contact +
+        "[material.metal]\ndensity = 2785.0\neos = { model = 'linear', bulk_modulus = '79 GPa' }\n"
+        "strength = " +
+        strength + "\n[body.rod]\nmaterial = 'metal'\n[body.plate]\nmaterial = 'metal'\n[time]\nend = '1 ms'\n");
+    const Lattice rod{"rod", "metal", 1e-3, {-60.5e-3, -4.5e-3}, {50, 10}, {speed, 0.0}};
+    const Lattice plate{"plate", "metal", 1e-3, {0.5e-3, -19.5e-3}, {80, 40}, {0.0, 0.0}};
+    const auto particles = test::particles_on(Space::plane_strain, {rod, plate}, 2785.0);
+    return slow_contacts(particles, settings, meetings(particles, settings.materials));
+  };
+  const std::string elastic = "{ model = 'elastic', shear_modulus = '27.6 GPa' }",
+                    plastic = "{ model = 'perfectly-plastic', shear_modulus = '27.6 GPa', yield_stress = '0.3 GPa' }",
+                    reach = "contact.model = 'kernel-penalty'\n";
+  // The way is 2 h - δ = 1.8 mm, and waves take 15.5 µs through 50 mm and back: too slow below 116 m/s.
+  REQUIRE(lines(110.0, reach, elastic).size() == 1);
+  CHECK(lines(110.0, reach, elastic).front().find("at-faces") != std::string::npos);
+  CHECK(lines(120.0, reach, elastic).empty());
+  CHECK(lines(110.0, "contact.begins = 'at-faces'\n", elastic).empty());
+  // ρ c V/2 is 0.3 GPa at 33 m/s: above, the metal flows.
+  CHECK(lines(30.0, reach, plastic).size() == 1);
+  CHECK(lines(37.0, reach, plastic).empty());
 }
 
 TEST_CASE("Advice: what waves do not reach is found, with room for the fastest of them", "[advice]") {
