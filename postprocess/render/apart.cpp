@@ -10,6 +10,7 @@
 #include <optional>
 #include <sstream>
 
+#include "core/wait_for.hpp"
 #include "postprocess/render/display.hpp"
 
 namespace tektite {
@@ -60,8 +61,7 @@ Told draw_in_child(const Draw& draw) {
     draw_here(draw, report.get());
     _exit(0);
   }
-  int status = 0;
-  waitpid(child, &status, 0);
+  const int status = wait_for(child, "pictures");
   Told told{lines_of(report.get()), std::nullopt};
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return told;
   const auto said = lines_of(complaints.get());

@@ -15,6 +15,7 @@
 
 #include "core/error.hpp"
 #include "core/system_words.hpp"
+#include "core/wait_for.hpp"
 
 namespace tektite {
 namespace {
@@ -57,10 +58,7 @@ bool can_be_read(const std::string& path, const std::function<void()>& read) {
     }
     ::_exit(code);
   }
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0)
-    if (errno != EINTR)
-      throw RunError(fmt::format("{}: a process cannot be waited for: {}", path, words_for_error(errno)));
+  const int status = wait_for(child, path);
   return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 

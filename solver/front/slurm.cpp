@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <sstream>
 #include <string_view>
 
 #include "core/error.hpp"
 #include "core/program.hpp"
+#include "core/wait_for.hpp"
 #include "core/write_beside.hpp"
 
 namespace tektite::front {
@@ -121,9 +121,7 @@ std::string Slurm::last_words() const {
 
 int Slurm::call(const Words& words, const fs::path& output, const sigset_t& mask) const {
   const pid_t child = spawn(words.front(), {words.begin() + 1, words.end()}, {output, faults()}, mask);
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0)
-    if (errno != EINTR) throw RunError(words.front() + ": cannot be waited for");
+  const int status = wait_for(child, words.front());
   return WIFEXITED(status) ? WEXITSTATUS(status) : exit_failed;
 }
 

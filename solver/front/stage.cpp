@@ -14,6 +14,7 @@
 #include "core/error.hpp"
 #include "core/program.hpp"
 #include "core/system_words.hpp"
+#include "core/wait_for.hpp"
 #include "front/held_signals.hpp"
 
 namespace tektite::front {
@@ -127,10 +128,7 @@ int run_stage(Stage stage, const Words& arguments, Show show) {
   const Outliving outliving;
   std::fflush(stdout);
   const pid_t child = start(path_of(stage), arguments, show);
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0)
-    if (errno != EINTR)
-      throw RunError(fmt::format("{}: cannot be waited for: {}", program_of(stage), words_for_error(errno)));
+  const int status = wait_for(child, program_of(stage));
   child_running = 0;
   if (WIFSIGNALED(status))
     throw RunError(fmt::format("{} was ended by signal {} ({})", program_of(stage), WTERMSIG(status),
