@@ -31,12 +31,12 @@ std::string read_file(const std::string& path) {
 }
 
 toml::table parse_toml(std::string_view text, const std::string& origin) {
-  if (const auto at = first_unreadable(text); at != std::string_view::npos)
-    throw InputError({{origin, static_cast<int>(1 + std::ranges::count(text.substr(0, at), '\n'))},
+  if (const auto found = first_unreadable(text))
+    throw InputError({{origin, static_cast<int>(1 + std::ranges::count(text.substr(0, found->at), '\n'))},
                       {},
                       {},
-                      "not TOML: a character outside of ASCII",
-                      "such characters in strings, not behind a backslash, and in comments"});
+                      fmt::format("not TOML: {}", found->what),
+                      found->allowed});
   try {
     return toml::parse(text, origin);
   } catch (const toml::parse_error& fault) {
@@ -50,7 +50,7 @@ toml::table parse_toml(std::string_view text, const std::string& origin) {
 
 /// Nothing where it is not TOML.
 std::optional<toml::table> parse_setting(const std::string& text) {
-  if (first_unreadable(text) != std::string::npos) return std::nullopt;
+  if (first_unreadable(text)) return std::nullopt;
   try {
     return toml::parse(text);
   } catch (const toml::parse_error&) {

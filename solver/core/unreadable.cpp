@@ -7,6 +7,8 @@ namespace {
 
 bool is_outside_ascii(char c) { return static_cast<unsigned char>(c) > 127; }
 
+bool ends_key(char c) { return std::string_view("[]{}=,\n").find(c) != std::string_view::npos; }
+
 /// Behind the string whose first quote stands at `at`, or behind its line where it has no end there; but at a character
 /// that must not be seen where it holds one.
 std::size_t after_string(std::string_view text, std::size_t at) {
@@ -35,19 +37,26 @@ std::size_t after_string(std::string_view text, std::size_t at) {
 
 }  // namespace
 
-std::size_t first_unreadable(std::string_view text) {
+std::optional<Unreadable> first_unreadable(std::string_view text) {
   constexpr std::string_view byte_order = "\xEF\xBB\xBF";
+  constexpr int most_parts = 32;
+  int dots = 0;  // in the key that stands here
   for (std::size_t at = text.starts_with(byte_order) ? byte_order.size() : 0; at < text.size();) {
     if (text[at] == '#')
       at = text.find('\n', at);
     else if (text[at] == '"' || text[at] == '\'')
       at = after_string(text, at);
     else if (is_outside_ascii(text[at]))
-      return at;
-    else
+      return Unreadable{at, "a character outside of ASCII",
+                        "such characters in strings, not behind a backslash, and in comments"};
+    else {
+      if (text[at] == '.' && ++dots == most_parts)
+        return Unreadable{at, "a key of too many parts", "up to 32 parts with dots between them"};
+      if (ends_key(text[at])) dots = 0;
       ++at;
+    }
   }
-  return std::string_view::npos;
+  return std::nullopt;
 }
 
 }  // namespace tektite

@@ -49,6 +49,15 @@ double cfl(Document document) {
   return time.quantity("cfl", dimension::none);
 }
 
+TEST_CASE("Document: tables within tables without end are refused, in a file and in a setting") {
+  std::string key = "a";
+  for (int k = 0; k < 100000; ++k) key += ".a";
+  CHECK_THAT(fault_of([&] { Document::parse("x = 1\n[" + key + "]\n", "scene.toml"); }),
+             Contains("scene.toml:2: not TOML: a key of too many parts (allowed: up to 32 parts"));
+  const Fixture file;
+  CHECK_THAT(fault_of([&] { file.load({}, {key + "=1"}); }), Contains("not a setting"));
+}
+
 TEST_CASE("Document: a variant overrides key by key and leaves the others") {
   const Fixture file;
   CHECK(cfl(file.load()) == 0.3);
