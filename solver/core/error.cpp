@@ -5,6 +5,17 @@
 namespace tektite {
 namespace {
 
+/// Control characters, which would cut a message short, break its line or change the terminal, as TOML escapes them.
+std::string escaped(const std::string& text) {
+  std::string plain;
+  for (const char c : text)
+    if (const auto code = static_cast<unsigned char>(c); code < 0x20 || code == 0x7F)
+      plain += fmt::format("\\u{:04x}", code);
+    else
+      plain += c;
+  return plain;
+}
+
 std::string message(const InputFault& fault) {
   std::string text;
   if (!fault.place.file.empty()) {
@@ -19,7 +30,7 @@ std::string message(const InputFault& fault) {
   }
   text += fault.reason;
   if (!fault.allowed.empty()) text += " (allowed: " + fault.allowed + ")";
-  return text;
+  return escaped(text);
 }
 
 }  // namespace

@@ -34,7 +34,6 @@ std::string written(const toml::node& node) {
 std::string shown(const toml::node& node) {
   auto text = written(node);
   constexpr std::size_t longest = 80;
-  std::replace(text.begin(), text.end(), '\n', ' ');
   if (text.size() > longest) {
     auto end = longest;
     while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // not within a character

@@ -54,6 +54,13 @@ TEST_CASE("Section: a quantity that is wrong is told with place, key, value, rea
   CHECK_THAT(fault("y = 1", read_length), Contains("scene.toml:1: x: this key is missing"));
 }
 
+TEST_CASE("Section: control characters of a value and of a key neither cut a message short nor break its line") {
+  CHECK_THAT(fault("x = \"a\\u0000b\\nc\\u001B[31m\"", read_length),
+             Contains("x = \"a\\u0000b\\u000ac\\u001b[31m\": not a number with a unit"));
+  CHECK_THAT(fault("\"a\\nb\\u007F\" = 1", [](Section& root) { root.finish(); }),
+             Equals("scene.toml:1: a\\u000ab\\u007f: unknown key"));
+}
+
 TEST_CASE("Section: a plain number with a unit is refused, and so is a unit where none belongs") {
   const auto read_ratio = [](Section& root) { root.quantity("x", dimension::none); };
   CHECK_THAT(fault("x = \"2 mm\"", read_ratio), Contains("this is a length") && Contains("a plain number"));
