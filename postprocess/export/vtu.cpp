@@ -1,7 +1,9 @@
 #include "postprocess/export/vtu.hpp"
 
 #include <fmt/format.h>
+#include <vtkCallbackCommand.h>
 #include <vtkErrorCode.h>
+#include <vtkExecutive.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
@@ -20,6 +22,8 @@ void write_vtu(const Snapshot& snapshot, const std::string& path) {
     writer->SetDataModeToAppended();
     writer->EncodeAppendedDataOff();
     writer->SetCompressorTypeToZLib();
+    const auto silence = vtkSmartPointer<vtkCallbackCommand>::New();  // what goes wrong is told by us
+    writer->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, silence);
     if (writer->Write() != 1 || writer->GetErrorCode() != 0)
       throw RunError(
           fmt::format("{}: cannot be written: {}", path, vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode())));

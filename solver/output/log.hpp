@@ -6,8 +6,8 @@
 
 namespace tektite {
 
-/// A log that goes to standard output and, with time stamps, to a file; `append` where a run is resumed. Throws
-/// RunError.
+/// A log that goes to standard output, its first sink, and, with time stamps, to a file; `append` where a run is
+/// resumed. Throws RunError.
 std::shared_ptr<spdlog::logger> open_log(const std::string& path, bool append);
 
 }  // namespace tektite

@@ -1,6 +1,7 @@
 #include "run/run.hpp"
 
 #include <fmt/format.h>
+#include <spdlog/sinks/sink.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -114,8 +115,9 @@ class Run {
     return over();
   }
 
-  /// Keeps the reason why a run failed in the log; a disk that is full keeps nothing.
+  /// Keeps the reason why a run failed in run.log; a disk that is full keeps nothing.
   void note(const RunError& fault) {
+    log_->sinks().front()->set_level(spdlog::level::off);  // whoever reads standard output is told by the error itself
     try {
       log_->error("{}", fault.what());
     } catch (const RunError&) {

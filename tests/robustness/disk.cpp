@@ -34,6 +34,8 @@ TEST_CASE("Disk: where it becomes full the run ends with an error, keeps its las
   CHECK_THAT(outcome.faults,
              StartsWith("tektite-solve: error: full/history.csv: cannot be written (is the disk full?)") &&
                  Contains("the last good snapshot is full/snapshots/"));
+  CHECK_THAT(outcome.output, !Contains("cannot be written"));
+  CHECK_THAT(content_of(small.folder("full/run.log")), Contains("full/history.csv: cannot be written"));
   const auto snapshots = tektite::snapshot_files(small.folder("full"));
   REQUIRE(snapshots.size() > 1);
   CHECK_NOTHROW(tektite::read_snapshot(snapshots.back()));
@@ -54,6 +56,57 @@ TEST_CASE("Disk: a snapshot for which there is no room is an error, and no half 
   CHECK_THAT(outcome.faults, Contains("full/snapshots/000000.h5") && Contains("(is the disk full?)"));
   CHECK(std::distance(fs::directory_iterator(small.folder("full/snapshots")), fs::directory_iterator()) == 0);
   CHECK(small.program(small.resuming("full")).code == 0);
+}
+
+/// Runs the small scene on a file system of its own that takes no more than this, has it resumed where there is room
+/// and copies what is left then to `after`. The exit code is that of the run; 77 where nothing can be mounted.
+Outcome run_on_small_disk(const SmallRun& small, std::uintmax_t bytes) {
+  const std::string script = R"(
+    mkdir -p disk && mount -t tmpfs -o size="$2" none disk || exit 77
+    "$1" run scene.toml -o disk/run --threads 1
+    code=$?
+    find disk -name '*.part*'
+    mount -o remount,size=100m disk && "$1" resume disk/run --threads 1 >/dev/null 2>&1 || exit 78
+    rm -rf after && cp -r disk/run after
+    exit $code)";
+  return run_in(small.path(), {"/usr/bin/unshare", "--map-root-user", "--mount", "sh", "-c", script, "sh",
+                               TEKTITE_PROGRAM, std::to_string(bytes)});
+}
+
+/// Bytes on the disk of the files below a folder, by whole pages.
+std::uintmax_t room_of(const std::string& folder) {
+  constexpr std::uintmax_t page = 4096;
+  std::uintmax_t sum = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    sum += entry.is_regular_file() ? (entry.file_size() + page - 1) / page * page : page;
+  return sum;
+}
+
+TEST_CASE("Disk: whichever stage a small one fills up in says so once, and the run goes on when there is room") {
+  const SmallRun small("eulerian");
+  const auto whole = small.unbroken();
+  fs::remove_all(small.folder("unbroken/vtu"));
+  const auto solved = room_of(small.folder("unbroken"));
+  struct Case {
+    std::uintmax_t bytes;
+    std::string says;
+  };
+  constexpr std::uintmax_t some = 1 << 16;  // for less than the first files for ParaView
+  for (const auto& [bytes, says] : std::vector<Case>{{solved / 2, "tektite-solve: error: disk/run/"},
+                                                     {solved + some, "tektite-postprocess: error: disk/run/vtu/"}}) {
+    const auto outcome = run_on_small_disk(small, bytes);
+    if (outcome.code == 77) {
+      WARN("no file system can be mounted here: " << outcome.faults);
+      return;
+    }
+    INFO(outcome.faults);
+    CHECK(outcome.code == 1);
+    CHECK_THAT(outcome.faults, StartsWith(says) && Contains("cannot be"));
+    const bool solving = outcome.faults.find("\n  the last good snapshot is disk/run/snapshots/") != std::string::npos;
+    CHECK(std::count(outcome.faults.begin(), outcome.faults.end(), '\n') == (solving ? 2 : 1));
+    CHECK(outcome.output.find(".part") == std::string::npos);
+    CHECK((left_in(small.folder("after")) == whole));
+  }
 }
 
 TEST_CASE("Disk: a log or an output that cannot be written is an error") {
