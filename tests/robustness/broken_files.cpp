@@ -243,6 +243,43 @@ TEST_CASE("Foreign files: numbers that are claimed and not stored are refused be
   refused(path, "/particles/density: has 68719476736 x 1 numbers, of which most are not stored");
 }
 
+/// Makes a dataset of so many zeros by packing its first chunk and storing that again for every other one.
+void add_packed_zeros(hid_t file, const char* name, hsize_t count, hsize_t chunk) {
+  const hid_t space = H5Screate_simple(1, &count, nullptr);
+  const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
+  constexpr unsigned strongest = 9;
+  H5Pset_chunk(properties, 1, &chunk);
+  H5Pset_deflate(properties, strongest);
+  const hid_t data = H5Dcreate2(file, name, H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, properties, H5P_DEFAULT);
+  const hid_t first = H5Screate_simple(1, &chunk, nullptr);
+  const hsize_t start = 0;
+  H5Sselect_hyperslab(space, H5S_SELECT_SET, &start, nullptr, &chunk, nullptr);
+  const std::vector<double> zeros(chunk);
+  REQUIRE(H5Dwrite(data, H5T_NATIVE_DOUBLE, first, space, H5P_DEFAULT, zeros.data()) >= 0);
+  H5Fflush(file, H5F_SCOPE_LOCAL);
+  hsize_t size = 0;
+  REQUIRE(H5Dget_chunk_storage_size(data, &start, &size) >= 0);
+  std::vector<char> packed(size);
+  std::uint32_t filters = 0;
+  REQUIRE(H5Dread_chunk(data, H5P_DEFAULT, &start, &filters, packed.data()) >= 0);
+  for (hsize_t at = chunk; at < count; at += chunk)
+    REQUIRE(H5Dwrite_chunk(data, H5P_DEFAULT, filters, &at, size, packed.data()) >= 0);
+  H5Sclose(first);
+  H5Dclose(data);
+  H5Pclose(properties);
+  H5Sclose(space);
+}
+
+TEST_CASE("Foreign files: one that needs a thousand times the memory of its bytes is refused before it is asked for") {
+  const TemporaryFolder folder;
+  const auto path = folder.file("packed.h5");
+  static constexpr hsize_t chunk = hsize_t{1} << 20, count = 512 * chunk;  // 4 GB in 4 MB
+  unfinished_file(path, particle_format_version, count).close();
+  add(path, [](hid_t file) { add_packed_zeros(file, "/particles/density", count, chunk); });
+  CHECK(fs::file_size(path) < 8'000'000);
+  refused(path, "the HDF5 library fails on it");
+}
+
 TEST_CASE("Foreign files: what is no particle file is refused by every program") {
   const TemporaryFolder folder;
   fs::create_directories(folder.file("run/snapshots"));

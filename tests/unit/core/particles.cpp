@@ -48,8 +48,8 @@ TEST_CASE("Particles: allocating fills with zeros, keeps what is there, and leav
 
 TEST_CASE("Particles: asking for a field that is not there is an error of the program") {
   Particles particles(Space::line, test::two_bodies());
-  CHECK_THROWS_AS(particles.reals(Field::density), std::logic_error);
-  CHECK_THROWS_AS(particles.integers(Field::id), std::logic_error);
+  CHECK_THROWS_WITH(particles.reals(Field::density), "field density is not allocated");
+  CHECK_THROWS_WITH(particles.integers(Field::id), "field id is not allocated");
 }
 
 TEST_CASE("Particles: a permutation moves all numbers of a particle together, in every kept field and space") {

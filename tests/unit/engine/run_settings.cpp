@@ -33,6 +33,15 @@ TEST_CASE("Run settings: a scene without a material is refused", "[settings]") {
              Contains("the scene has no material (allowed: [material.NAME])"));
 }
 
+TEST_CASE("Run settings: a scheme that none has read from a scene is an error of the program", "[settings]") {
+  auto settings = settings_of(head + metal);
+  auto particles = particles_in(Space::line, "metal");
+  Profile profile;
+  settings.scheme.type = "finite-elements";
+  CHECK_THROWS_WITH(make_scheme({particles, profile, settings.materials, settings.scheme, {}}),
+                    "read_scheme() lets no unknown scheme through");
+}
+
 TEST_CASE("Run settings: particles of another space or material than the scene's are refused with both", "[settings]") {
   const auto settings = settings_of(head + metal);
   const auto check = [&](Space space, const std::string& material) {

@@ -32,6 +32,10 @@ TEST_CASE("Connectivity: bodies that touch are not one fragment") {
   CHECK(fragments.list[fragments.heaviest(1)].body == 1);
 }
 
+TEST_CASE("Connectivity: asking for a body without particles is an error of the program") {
+  CHECK_THROWS_WITH(find_fragments(row_of({0.0}, {"a"}), 2.0).heaviest(1), "a body has no particles");
+}
+
 TEST_CASE("Connectivity: fragments come the heaviest first, with mass, centre and velocity") {
   const auto whole = row_of({0.0, 0.1, 0.101, 0.102}, {"a", "a", "a", "a"});
   const auto fragments = find_fragments(whole, 2.0);

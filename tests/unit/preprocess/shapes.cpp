@@ -167,6 +167,14 @@ TEST_CASE("Shapes: edges belong to a shape within the tolerance, and to what is 
   CHECK_FALSE(hole->inside({{0.4 - 2e-9, 0, 0}}, 1e-9));
 }
 
+TEST_CASE(
+    "Shapes: asking a solid for its region, or what lies in the plane for its surface, is an error of the program") {
+  CHECK_THROWS_WITH(shape_of("{ type = 'box', lower = [0, 0, 0], upper = [1, 1, 1] }", 3)->region({}),
+                    "this shape is no region of the plane");
+  CHECK_THROWS_WITH(shape_of("{ type = 'rectangle', lower = [0, 0], upper = [1, 1] }", 2)->surface({}),
+                    "this shape is no solid");
+}
+
 TEST_CASE("Shapes: wrong ones are refused with the reason and what is allowed") {
   CHECK_THAT(fault_of([] { shape_of("{ type = 'dics', radius = 1 }", 2); }),
              Catch::Contains("rectangle, disc, ring, polygon, union, difference, intersection"));
