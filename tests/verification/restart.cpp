@@ -21,15 +21,18 @@ std::vector<std::string> scenes(Space space) {
   const std::string contact = "contact.model = 'kernel-penalty'\n";
   std::vector<std::string> all{test::impact_scene, contact + test::impact_scene};
   if (space != Space::plane_stress) {
-    all.push_back(contact + "contact.begins = 'at-faces'\nscheme.type = 'total-lagrangian'\n" + test::impact_scene);
+    for (const std::string more : {"contact.begins = 'at-faces'
+", "scheme.hourglass_control = 0.1
+"})
+      all.push_back(contact + "scheme.type = 'total-lagrangian'
+" + more + test::impact_scene);
     all.push_back(
         contact +
         "contact.itself = true\nscheme = { type = 'adaptle', correction = 'reference', conversion = 'strain', "
         "conversion_strain = 0.1 }\n" +
         test::impact_scene);
-    for (const std::string forces : {"strong", "adjoint"})
-      all.push_back("scheme = { type = 'msph', forces = '" + forces + "' }\nsmoothing.kernel = 'truncated-gaussian'\n" +
-                    test::impact_scene);
+    for (const std::string type : {"'msph', forces = 'strong'", "'msph', forces = 'adjoint'", "'ssph'"})
+      all.push_back("scheme = { type = " + type + " }\nsmoothing.kernel = 'truncated-gaussian'\n" + test::impact_scene);
   }
   if (dimensions_of(space) == 2)
     all.push_back("scheme = { correction = 'mixed', correction_limit = 10.0, artificial_stress = {} }\n" +
@@ -71,22 +74,30 @@ void check_same(Simulation& a, Simulation& b) {
   }
 }
 
-/// Saves a run after some steps, reads it again and goes on with it.
-void check_resumed(const std::string& scene, Space space, int threads_before, int threads_after,
-                   int before = steps / 2 + 3) {
-  INFO(name_of(space) << ", threads " << threads_before << " and " << threads_after << "\n" << scene);
-  auto unbroken = test::simulation_of(scene, test::impact_particles(space));
-  take_steps_on(threads_before, unbroken, before);
+struct Threads {
+  int before, after;
+};
+struct Steps {
+  int before = steps / 2 + 3, after = steps;
+};
+
+/// Saves a run after some steps, reads it again and goes on with it. Gives back its particles.
+Particles check_resumed(const std::string& scene, Particles particles, const Threads& threads,
+                        const Steps& count = {}) {
+  INFO(name_of(particles.space()) << ", threads " << threads.before << " and " << threads.after << "\n" << scene);
+  auto unbroken = test::simulation_of(scene, std::move(particles));
+  take_steps_on(threads.before, unbroken, count.before);
   const test::TemporaryFolder folder;
   write_snapshot(unbroken.save({}), folder.file("middle.h5"));
-  take_steps_on(threads_before, unbroken, steps);
+  take_steps_on(threads.before, unbroken, count.after);
 
   auto snapshot = read_snapshot(folder.file("middle.h5"));
   auto document = Document::parse(snapshot.scene, "middle.h5");
   auto settings = read_run_settings(document);
   Simulation resumed(std::move(snapshot), std::move(settings), true);
-  take_steps_on(threads_after, resumed, steps);
+  take_steps_on(threads.after, resumed, count.after);
   check_same(unbroken, resumed);
+  return resumed.particles();
 }
 
 /// Both bodies fail in spall and by plastic strain.
@@ -126,18 +137,48 @@ TEST_CASE("Threads: one, two and three give the same bits", "[threads]") {
 
 TEST_CASE("Restart: a run that was saved and resumed is the unbroken one to the last bit", "[restart]") {
   for (const auto space : spaces)
-    for (const auto& scene : scenes(space)) check_resumed(scene, space, 2, 2);
+    for (const auto& scene : scenes(space)) check_resumed(scene, test::impact_particles(space), {2, 2});
 }
 
 TEST_CASE("Restart: it may go on with another number of threads", "[restart]") {
   for (const auto space : spaces)
-    for (const auto& scene : scenes(space)) check_resumed(scene, space, 1, 3);
+    for (const auto& scene : scenes(space)) check_resumed(scene, test::impact_particles(space), {1, 3});
 }
 
 TEST_CASE("Restart: failed particles, some of which have become Eulerian, go on as if unbroken", "[restart]") {
   for (const auto space : {Space::line, Space::plane_strain, Space::solid})
     for (const std::string correction : {"reference", "mixed", "none"})
-      check_resumed(converting(correction) + brittle_scene, space, 2, 3, 2 * steps);
+      check_resumed(converting(correction) + brittle_scene, test::impact_particles(space), {2, 3}, {2 * steps, steps});
+}
+
+TEST_CASE("Restart: material that fails goes on as if unbroken, by every scheme that knows damage", "[restart]") {
+  for (const auto space : spaces)
+    for (const std::string scheme : {"eulerian", "total-lagrangian", "godunov-pm", "godunov-split"}) {
+      const bool lagrangian = scheme == "total-lagrangian";
+      if (space == Space::plane_stress && lagrangian) continue;
+      const std::string contact = lagrangian ? "contact.model = 'kernel-penalty'\n" : "";
+      const auto particles = check_resumed(contact + "scheme.type = '" + scheme + "'\n" + brittle_scene,
+                                           test::impact_particles(space), {1, 3});
+      INFO(name_of(space) << ", " << scheme);
+      CHECK(std::ranges::max(particles.reals(Field::damage)) >= 1.0);
+    }
+}
+
+TEST_CASE("Restart: a gas that falls onto its axis or centre goes on as if unbroken", "[restart]") {
+  for (const auto space : {Space::cylindrical, Space::spherical})
+    for (const std::string type : {"'msph', forces = 'strong'", "'msph', forces = 'adjoint'", "'ssph'"}) {
+      constexpr double spacing = 0.01;
+      auto gas =
+          test::particles_on(space, {{"gas", "gas", spacing, {0.5 * spacing}, {100}, {-1.0}, nullptr, 1.5}}, 1.0);
+      for (std::size_t i = 0; i < gas.count(); ++i)
+        gas.scalars(Field::mass)[i] *= std::pow(gas.reals(Field::position)[i], hoops_of(space));
+      const auto particles =
+          check_resumed("scheme = { type = " + type +
+                            " }\nsmoothing = { kernel = 'truncated-gaussian', ratio = 1.5 }\ntime.end = 0.6\n"
+                            "[material.gas]\ndensity = 1.0\neos = { model = 'ideal-gas', heat_ratio = 1.6667 }\n",
+                        std::move(gas), {1, 3}, {2 * steps, steps});
+      CHECK(std::ranges::max(particles.reals(Field::density)) > 2.0);
+    }
 }
 
 TEST_CASE("Conversion: an impact in which particles fail and become Eulerian nearly keeps its energy", "[conversion]") {
@@ -158,18 +199,8 @@ TEST_CASE("Conversion: an impact in which particles fail and become Eulerian nea
 }
 
 TEST_CASE("Restart: half a model with a symmetry plane goes on as if unbroken", "[restart]") {
-  const std::string scene = "symmetry.bottom = { axis = 'y', at = '-16 mm' }\n" + test::impact_scene;
-  auto unbroken = test::simulation_of(scene, test::impact_particles(Space::plane_strain));
-  test::take_steps(unbroken, steps);
-  const test::TemporaryFolder folder;
-  write_snapshot(unbroken.save({}), folder.file("middle.h5"));
-  test::take_steps(unbroken, steps);
-  auto snapshot = read_snapshot(folder.file("middle.h5"));
-  auto document = Document::parse(snapshot.scene, "middle.h5");
-  auto settings = read_run_settings(document);
-  Simulation resumed(std::move(snapshot), std::move(settings), true);
-  test::take_steps(resumed, steps);
-  check_same(unbroken, resumed);
+  const std::string plane = "symmetry.bottom = { axis = 'y', at = '-16 mm' }\n";
+  check_resumed(plane + test::impact_scene, test::impact_particles(Space::plane_strain), {2, 2}, {steps, steps});
 }
 
 TEST_CASE("Restart: an axisymmetric bar on an anvil goes on as if unbroken, on any number of threads", "[restart]") {
@@ -177,23 +208,10 @@ TEST_CASE("Restart: an axisymmetric bar on an anvil goes on as if unbroken, on a
       GENERATE("type = 'msph'", "type = 'msph', forces = 'adjoint'", "type = 'total-lagrangian'", "type = 'eulerian'");
   const std::string scene =
       "scheme = { " + scheme + " }\nsmoothing.kernel = 'truncated-gaussian'\nanvil.axis = 'y'\n" + test::impact_scene;
-  const auto bar = [] {
-    auto p = test::particles_on(Space::axisymmetric,
+  auto bar = test::particles_on(Space::axisymmetric,
                                 {{"bar", "plate", test::impact_spacing, {0.0, 0.0}, {12, 60}, {0.0, -400.0}}}, 2785.0);
-    for (std::size_t i = 0; i < p.count(); ++i)
-      p.scalars(Field::mass)[i] *= std::max(p.reals(Field::position)[2 * i], 0.125 * test::impact_spacing);
-    return p;
-  };
-  auto unbroken = test::simulation_of(scene, bar());
-  take_steps_on(1, unbroken, 3 * steps);
-  const test::TemporaryFolder folder;
-  write_snapshot(unbroken.save({}), folder.file("middle.h5"));
-  take_steps_on(1, unbroken, 3 * steps);
-  auto snapshot = read_snapshot(folder.file("middle.h5"));
-  auto document = Document::parse(snapshot.scene, "middle.h5");
-  auto settings = read_run_settings(document);
-  Simulation resumed(std::move(snapshot), std::move(settings), true);
-  take_steps_on(3, resumed, 3 * steps);
-  check_same(unbroken, resumed);
-  CHECK(std::ranges::max(unbroken.particles().reals(Field::plastic_strain)) > 0.01);
+  for (std::size_t i = 0; i < bar.count(); ++i)
+    bar.scalars(Field::mass)[i] *= std::max(bar.reals(Field::position)[2 * i], 0.125 * test::impact_spacing);
+  const auto particles = check_resumed(scene, std::move(bar), {1, 3}, {3 * steps, 3 * steps});
+  CHECK(std::ranges::max(particles.reals(Field::plastic_strain)) > 0.01);
 }
