@@ -100,7 +100,14 @@ TEST_CASE("Snapshot: what is missing, foreign or no HDF5 is refused") {
     foreign.text("/note", "from elsewhere");
     foreign.close();
   }
-  CHECK_THAT(fault_of([&] { read_snapshot(folder.file("foreign.h5")); }), Contains("/@format"));
+  CHECK_THAT(fault_of([&] { read_snapshot(folder.file("foreign.h5")); }), Contains("/@format: is missing"));
+  {
+    hdf5::Writer other(folder.file("other.h5"));
+    other.attribute("/", "format", std::string("tektite chart"));
+    other.close();
+  }
+  CHECK_THAT(fault_of([&] { read_snapshot(folder.file("other.h5")); }),
+             Contains("other.h5: /@format: this is no particle file (allowed: a particle file of tektite, whole)"));
 }
 
 TEST_CASE("Snapshot: a file of a newer format is refused with both versions") {

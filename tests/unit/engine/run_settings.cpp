@@ -33,6 +33,30 @@ TEST_CASE("Run settings: a scene without a material is refused", "[settings]") {
              Contains("the scene has no material (allowed: [material.NAME])"));
 }
 
+TEST_CASE("Run settings: a body of a material that the scene does not have is refused with those that it has",
+          "[settings]") {
+  CHECK(test::fault_of([] { settings_of(head + metal + "[body.bar]\nmaterial = 'glass'\n"); }) ==
+        "scene.toml:8: body.bar.material = \"glass\": there is no such material (allowed: metal)");
+}
+
+TEST_CASE("Run settings: a run that counts from a contact which never comes ends, and says so", "[settings]") {
+  const auto apart = [](double gap) {
+    return test::particles_on(
+        Space::line, {{"left", "metal", 1.0, {0.0}, {10}, {1.0}}, {"right", "metal", 1.0, {9.0 + gap}, {10}, {1.0}}},
+        1.0);
+  };
+  const auto run = [&](double gap) {
+    auto simulation = test::simulation_of(
+        "time = { end = 10.0, from = 'contact' }\n[body.left]\nmaterial = 'metal'\n[body.right]\nmaterial = 'metal'\n" +
+            metal,
+        apart(gap));
+    test::run_to_the_end(simulation);
+  };
+  CHECK_NOTHROW(run(1.0));
+  CHECK_THROWS_WITH(run(20.0),
+                    Contains("the run counts from the first contact of two bodies (time.from), but none has"));
+}
+
 TEST_CASE("Run settings: a scheme that none has read from a scene is an error of the program", "[settings]") {
   auto settings = settings_of(head + metal);
   auto particles = particles_in(Space::line, "metal");

@@ -212,6 +212,8 @@ TEST_CASE("Mesh: faces without an area, with one side only or at infinity are re
   };
   const std::string on_a_line = "0 0 0\n1 0 0\n2 0 0\n3 0 0\n", four = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
   CHECK_THAT(says("4 4 0\n" + on_a_line + four), Catch::Contains("odd.off: the mesh encloses nothing"));
+  CHECK_THAT(says("2 1 0\n0 0 0\n1 0 0\n3 0 1 0\n"),
+             Catch::Contains("odd.off: all faces of the mesh are degenerate (allowed: a closed surface)"));
   CHECK_THAT(says("4 4 0\n1 0 0\n0 0 0\n2 0 0\n0 1 0\n3 0 1 2\n3 1 0 3\n3 1 3 2\n3 2 3 0\n"),  // one of four
              Catch::Contains("odd.off: faces without area cannot be removed safely"));
   CHECK_THAT(says("4 4 0\n0 0 0\n1 0 0\n0 1 0\n0.3 0.3 0\n" + four),  // flat
