@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "core/write_beside.hpp"
 #include "front/commands.hpp"
+#include "front/launcher.hpp"
 #include "front/scene_arguments.hpp"
 #include "front/stages_of_a_run.hpp"
 
@@ -18,8 +19,8 @@ bool holds_a_run(const fs::path& folder) {
   return fs::exists(folder / "particles.h5") || fs::exists(folder / "snapshots");
 }
 
-/// Throws InputError where the folder of the run cannot be used.
-void check_folder(const fs::path& folder, bool replace) {
+/// Throws InputError where the folder of the run cannot be used. `reference` are the published values of the scene.
+void check_folder(const fs::path& folder, bool replace, const std::string& reference) {
   if (fs::exists(folder) && !fs::is_directory(folder))
     throw InputError({{folder.string(), 0}, {}, {}, "this is no folder", "a folder, or a new name"});
   if (!replace && holds_a_run(folder))
@@ -28,6 +29,13 @@ void check_folder(const fs::path& folder, bool replace) {
                       {},
                       "holds a run already",
                       "another folder by -o DIR; --replace; or `tektite resume DIR` to go on with it"});
+  const auto kept = folder / reference_name;
+  if (!holds_a_run(folder) && fs::exists(kept) && (reference.empty() || content_of(reference) != content_of(kept)))
+    throw InputError({{kept.string(), 0},
+                      {},
+                      {},
+                      "is there, of no run and of another scene; the published values of this one would take its place",
+                      "another folder by -o DIR"});
 }
 
 /// Takes away what an earlier run left, and nothing else; last what tells that there is a run.
@@ -116,12 +124,12 @@ std::optional<Order> read_order(const Words& arguments) {
 int run(const Words& arguments) {
   const auto order = read_order(arguments);
   if (!order) return exit_done;
-  check_folder(order->folder, order->replace);
+  check_folder(order->folder, order->replace, order->scene.reference());
 
   // Wrong input is found before anything is computed, and leaves everything as it was.
   if (const int code = check_scene(Stage::postprocess, order->scene); code != exit_done) return code;
   const RunLock lock(order->folder);
-  check_folder(order->folder, order->replace);  // another run may have come first
+  check_folder(order->folder, order->replace, order->scene.reference());  // another run may have come first
   Draft draft(order->folder);
   if (const int code = make_particles(order->scene, draft.path()); code != exit_done) return code;
   Words checking{"--check", draft.path()};

@@ -208,6 +208,23 @@ TEST_CASE("Front: a run in the folder of its scene takes away nothing of what is
   CHECK(place.has("history.csv"));
 }
 
+TEST_CASE("Front: published values of another scene, where no run is, are left as they are") {
+  const Workplace place;
+  fs::create_directory(place.folder.file("other"));
+  std::ofstream(place.folder.file("other/reference.toml")) << "# values that took an afternoon\n";
+  // A run that was killed as it began leaves a copy.
+  fs::create_directory(place.folder.file("begun"));
+  fs::copy(place.folder.file("reference.toml"), place.folder.file("begun/reference.toml"));
+  CHECK(place.tektite({"run", "scene.toml", "-o", "begun", "--no-pictures"}).code == 0);
+  for (const bool with_values : {true, false}) {
+    if (!with_values) fs::remove(place.folder.file("reference.toml"));
+    const auto outcome = place.tektite({"run", "scene.toml", "-o", "other"});
+    CHECK(outcome.code == 2);
+    CHECK_THAT(outcome.faults, Contains("other/reference.toml: is there, of no run and of another scene"));
+    CHECK(content_of(place.folder.file("other/reference.toml")) == "# values that took an afternoon\n");
+  }
+}
+
 TEST_CASE("Front: Ctrl-C ends a run with a snapshot from which it resumes") {
   const Workplace place;
   const pid_t child = ::fork();
