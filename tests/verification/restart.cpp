@@ -21,11 +21,8 @@ std::vector<std::string> scenes(Space space) {
   const std::string contact = "contact.model = 'kernel-penalty'\n";
   std::vector<std::string> all{test::impact_scene, contact + test::impact_scene};
   if (space != Space::plane_stress) {
-    for (const std::string more : {"contact.begins = 'at-faces'
-", "scheme.hourglass_control = 0.1
-"})
-      all.push_back(contact + "scheme.type = 'total-lagrangian'
-" + more + test::impact_scene);
+    for (const std::string more : {"contact.begins = 'at-faces'\n", "scheme.hourglass_control = 0.1\n"})
+      all.push_back(contact + "scheme.type = 'total-lagrangian'\n" + more + test::impact_scene);
     all.push_back(
         contact +
         "contact.itself = true\nscheme = { type = 'adaptle', correction = 'reference', conversion = 'strain', "
