@@ -57,7 +57,9 @@ std::optional<Lattice<D>> Lattice<D>::find(std::span<const Vector<double, D>> pl
   if constexpr (D == 3) std::swap(axes[1], axes[2]);
 
   const auto margin = static_cast<std::ptrdiff_t>(support / spacing);
-  const auto pitch = extent[axes[0]] + 2 * margin + static_cast<std::ptrdiff_t>(wide_pack_width);
+  // A whole number of packs of records, which is how they are filled in.
+  constexpr auto wide = static_cast<std::ptrdiff_t>(wide_pack_width), width = static_cast<std::ptrdiff_t>(pack_width);
+  const auto pitch = (std::max(extent[axes[0]], wide) + 2 * margin + width - 1) / width * width;
   Point<D> stride{};  // in rows
   std::ptrdiff_t rows = 1, reach = 0;
   double cells = static_cast<double>(pitch);
@@ -72,6 +74,7 @@ std::optional<Lattice<D>> Lattice<D>::find(std::span<const Vector<double, D>> pl
 
   Lattice lattice;
   lattice.pitch_ = static_cast<std::size_t>(pitch);
+  lattice.margin_ = static_cast<std::size_t>(margin);
   lattice.plane_ = static_cast<std::size_t>(D == 3 ? stride[axes[D - 1]] : rows);
   lattice.records_.assign(static_cast<std::size_t>((rows + 2 * reach) * pitch), nobody);
   for (std::size_t n = 0; n < points->size(); ++n) {

@@ -18,7 +18,7 @@ namespace tektite {
 
 /// A box of rows of cells, of which each holds a record or nobody. Each row, and the box, has as many empty cells on
 /// every side as a neighbour can be away, so that the way to a neighbour never leads to another particle or out of the
-/// box; and wide_pack_width more at a row's end, so that a pack never does.
+/// box; a row has room for a pack between them.
 template <int D>
 class Lattice {
  public:
@@ -27,6 +27,12 @@ class Lattice {
   struct Neighbour {
     std::ptrdiff_t rows, columns;  ///< from the particle's cell to its own
     Vector<double, D> x;           ///< X_a - X_b, m
+  };
+
+  /// A pack that has to be visited: its first cell, counted row by row, and the first lane that counts, since a pack at
+  /// a row's end may begin with cells of the one before.
+  struct Visit {
+    std::uint32_t cell, lane;
   };
 
   /// The lattice of the records `members` at these places, with neighbours nearer than `support`. None where they do
@@ -41,9 +47,9 @@ class Lattice {
   std::size_t rows() const { return records_.size() / pitch_; }
   std::span<const Neighbour> neighbours() const { return neighbours_; }
 
-  /// First cells of the packs of wide_pack_width cells that have to be visited, counted row by row. Packs that follow
-  /// each other are neighbours across the rows of a plane, and read mostly the same rows: they find them in the cache.
-  std::span<const std::uint32_t> packs() const { return packs_; }
+  /// The packs of wide_pack_width cells that have to be visited. Packs that follow each other are neighbours across the
+  /// rows of a plane, and read mostly the same rows: they find them in the cache.
+  std::span<const Visit> packs() const { return packs_; }
 
   /// Visits only packs with a record of which wanted(record) says yes.
   template <class Wanted>
@@ -54,24 +60,27 @@ class Lattice {
         ++cell;
         continue;
       }
-      packs_.push_back(static_cast<std::uint32_t>(cell));
-      cell += wide_pack_width;
+      const auto column = cell % pitch_, last = pitch_ - margin_ - wide_pack_width;
+      const auto lane = column > last ? column - last : 0;
+      packs_.push_back({static_cast<std::uint32_t>(cell - lane), static_cast<std::uint32_t>(lane)});
+      cell += wide_pack_width - lane;
     }
-    const auto along_planes = [this](std::uint32_t cell) {
-      const auto row = cell / pitch_, column = cell % pitch_ / wide_pack_width;
+    const auto along_planes = [this](const Visit& pack) {
+      const auto row = pack.cell / pitch_, column = pack.cell % pitch_ / wide_pack_width;
       return std::tuple(row / plane_, column, row);
     };
     std::ranges::stable_sort(packs_, {}, along_planes);
   }
 
-  std::size_t memory() const { return sizeof(std::uint32_t) * (records_.capacity() + packs_.capacity()); }
+  std::size_t memory() const { return sizeof(std::uint32_t) * records_.capacity() + sizeof(Visit) * packs_.capacity(); }
 
  private:
   std::size_t pitch_ = 0;
-  std::size_t plane_ = 0;  ///< rows of a plane
+  std::size_t margin_ = 0;  ///< cells that a neighbour can be away
+  std::size_t plane_ = 0;   ///< rows of a plane
   std::vector<std::uint32_t> records_;
   std::vector<Neighbour> neighbours_;
-  std::vector<std::uint32_t> packs_;
+  std::vector<Visit> packs_;
 };
 
 }  // namespace tektite

@@ -21,15 +21,17 @@ struct LatticePair {
 
 /// Some packs, on one thread. Flattened as gather_block is.
 template <int D, class Rows, class Pair, class Pass>
-[[gnu::flatten]] void gather_packs(const Lattice<D>& lattice, const Rows& rows, std::span<const std::uint32_t> packs,
+[[gnu::flatten]] void gather_packs(const Lattice<D>& lattice, const Rows& rows,
+                                   std::span<const typename Lattice<D>::Visit> packs,
                                    std::span<const LatticePair<Pair>> pairs, const Pass& pass, std::size_t count) {
-  for (const std::size_t first : packs) {
+  for (const auto& pack : packs) {
+    const std::size_t first = pack.cell;
     const auto place = rows.place(first);
     const auto self = pass.begin(place);
     typename Pass::Sums sums;
     for (const auto& [pair, way] : pairs) pass.add(self, pair, place + way, sums);
     const auto whole = sums;  // taking lanes out of `sums` itself would put them into memory in every turn of the loop
-    for (std::size_t lane = 0; lane < wide_pack_width; ++lane)
+    for (std::size_t lane = pack.lane; lane < wide_pack_width; ++lane)
       if (const auto i = lattice.records()[first + lane]; i < count) pass.end(i, whole, lane);
   }
 }

@@ -31,6 +31,20 @@ struct Correction {
   }
 };
 
+/// What the correction is found from, and where it is kept.
+template <int D>
+struct CorrectionRecord {
+  Vector<double, D> x;      ///< m
+  double volume;            ///< m/ρ
+  double smoothing_length;  ///< h
+  Correction<double, D> correction;
+
+  void mirror(int axis, double at) {
+    x[axis] = 2.0 * at - x[axis];
+    correction.mirror(axis);
+  }
+};
+
 template <int D>
 [[gnu::always_inline]] inline Correction<Pack, D> broadcast(const Correction<double, D>& c) {
   return {broadcast(c.matrix), broadcast(c.shift)};

@@ -26,6 +26,7 @@ struct InterfaceStress {
   const ReferenceRecord<2>* reference;
   const MotionRecord<2>* motion;
   const StressRecord<2>* stress;
+  const ShiftRecord<2>* shift;  ///< zero without a correction
   const ArtificialStressRecord* artificial;
   ArtificialStress settings;
   const double* mass;
@@ -50,7 +51,7 @@ struct InterfaceStress {
     a.x = broadcast(motion[i].x);
     a.v = broadcast(motion[i].v);
     a.cofactor = broadcast(stress[i].cofactor);
-    a.cofactor_shift = broadcast(stress[i].cofactor_shift);
+    a.cofactor_shift = broadcast(shift[i].cofactor);
     broadcast(artificial[i].r, a.r);
     a.h = reference[i].smoothing_length;
     a.spacing = artificial[i].spacing;
@@ -62,7 +63,7 @@ struct InterfaceStress {
     const auto x = a.x - gathered(motion, j, &MotionRecord<2>::x);
     const auto v = a.v - gathered(motion, j, &MotionRecord<2>::v);
     const auto cofactor = gathered(stress, j, &StressRecord<2>::cofactor);
-    const auto cofactor_shift = gathered(stress, j, &StressRecord<2>::cofactor_shift);
+    const auto cofactor_shift = gathered(shift, j, &ShiftRecord<2>::cofactor);
     Pack r[3];
     gather_into(r, artificial, j, &ArtificialStressRecord::r);
     const Pack h = Pack(0.5) * (a.h + gathered(reference, j, &ReferenceRecord<2>::smoothing_length));

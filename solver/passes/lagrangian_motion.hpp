@@ -31,7 +31,6 @@ struct PredictLagrangianMotion {
 template <int D, bool rings>
 struct Deform {
   const ReferenceRecord<D>* reference;  ///< without volume where the particle has failed: it is not deformed any more
-  const Tensor<double, D>* deformation;
   const double* mass;
   const double* reference_volume;
   const double* density;
@@ -43,6 +42,7 @@ struct Deform {
   double* across_rate;    ///< of rings, 1/s
   double half_step;
   StressRecord<D>* records;
+  Tensor<double, D>* deformation;        ///< takes F, which leaves the record; null where nobody asks for it later
   Tensor<double, D>* velocity_gradient;  ///< Ḟ of total-Lagrangian particles before
   double* half_density;
   double* half_energy;
@@ -50,6 +50,8 @@ struct Deform {
   void operator()(std::size_t i) const {
     auto& r = records[i];
     auto& l = velocity_gradient[i];
+    const auto f = r.cofactor;
+    if (deformation) deformation[i] = f;
     if (reference[i].volume == 0.0) {
       r.cofactor = Tensor<double, D>::zero();
       r.jacobian = 1.0;
@@ -59,9 +61,9 @@ struct Deform {
       half_energy[i] = energy[i];
       return;
     }
-    r.cofactor = cofactor(deformation[i]);
+    r.cofactor = cofactor(f);
     if (reference[i].lagrangian != 0.0) {
-      r.jacobian = determinant(deformation[i]);
+      r.jacobian = determinant(f);
       l = product_with_transposed(l, r.cofactor);  // F⁻¹ = Cᵀ/J
       const double inverse = 1.0 / r.jacobian;
       for (auto& component : l.c) component *= inverse;
@@ -105,17 +107,18 @@ struct AssembleStress {
 template <int D, bool corrected>
 struct WeighStress {
   const ReferenceRecord<D>* reference;
+  const Correction<double, D>* corrections;
   StressRecord<D>* records;
+  ShiftRecord<D>* shifts;
 
   void operator()(std::size_t i) const {
     auto& r = records[i];
     for (auto& component : r.stress.c) component *= reference[i].volume;
     if constexpr (corrected) {
-      const auto& correction = reference[i].correction;
+      const auto& correction = corrections[i];
       r.stress = product(r.stress, correction.matrix);
       r.cofactor = product(r.cofactor, correction.matrix);
-      r.stress_shift = times(r.stress, correction.shift);
-      r.cofactor_shift = times(r.cofactor, correction.shift);
+      shifts[i] = {times(r.stress, correction.shift), times(r.cofactor, correction.shift)};
     }
   }
 };

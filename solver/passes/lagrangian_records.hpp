@@ -12,13 +12,9 @@ struct ReferenceRecord {
   double volume;        ///< V_0
   Vector<double, D> x;  ///< X, m
   double smoothing_length;
-  double lagrangian;                 ///< 1 where its kernel is of the reference configuration, 0 where it is Eulerian
-  Correction<double, D> correction;  ///< stands last
+  double lagrangian;  ///< 1 where its kernel is of the reference configuration, 0 where it is Eulerian
 
-  void mirror(int axis, double at) {
-    x[axis] = 2.0 * at - x[axis];
-    correction.mirror(axis);
-  }
+  void mirror(int axis, double at) { x[axis] = 2.0 * at - x[axis]; }
 };
 
 /// Place and velocity in the middle of a step.
@@ -31,23 +27,31 @@ struct MotionRecord {
 };
 
 /// What it acts with. Gradients of a corrected kernel are matrix (∇W - shift W): a pair multiplies the plain one by the
-/// products that stand here, and needs no correction of its neighbour.
+/// products that stand here and in the ShiftRecord, and needs no correction of its neighbour.
 template <int D>
 struct StressRecord {
-  double density = 1.0;              ///< ρ; this and the stretch divide, also in a lane that holds no particle
-  double sound_speed;                ///< c, bulk
-  double least_stretch = 1.0;        ///< by which the viscosity's h has shrunk
-  Tensor<double, D> stress;          ///< V_0 P `matrix` with the first Piola-Kirchhoff stress P = J σ F⁻ᵀ, J
-  Tensor<double, D> cofactor;        ///< J F⁻ᵀ `matrix`
-  Vector<double, D> stress_shift;    ///< `stress` times `shift`; zero without correction
-  Vector<double, D> cofactor_shift;  ///< `cofactor` times `shift`; zero without correction
-  double jacobian;                   ///< J
+  double density = 1.0;        ///< ρ; this and the stretch divide, also in a lane that holds no particle
+  double sound_speed;          ///< c, bulk
+  double least_stretch = 1.0;  ///< by which the viscosity's h has shrunk
+  Tensor<double, D> stress;    ///< V_0 P `matrix` with the first Piola-Kirchhoff stress P = J σ F⁻ᵀ, J
+  Tensor<double, D> cofactor;  ///< J F⁻ᵀ `matrix`; from the sweep that finds it until the stress is known F itself
+  double jacobian;             ///< J
 
   void mirror(int axis, double) {
     mirror_tensor(stress, axis);
     mirror_tensor(cofactor, axis);
-    stress_shift[axis] = -stress_shift[axis];
-    cofactor_shift[axis] = -cofactor_shift[axis];
+  }
+};
+
+/// The rest of it, which there is with a correction only.
+template <int D>
+struct ShiftRecord {
+  Vector<double, D> stress;    ///< the `stress` of the StressRecord times `shift`
+  Vector<double, D> cofactor;  ///< its `cofactor` times `shift`
+
+  void mirror(int axis, double) {
+    stress[axis] = -stress[axis];
+    cofactor[axis] = -cofactor[axis];
   }
 };
 

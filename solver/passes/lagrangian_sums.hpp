@@ -28,7 +28,8 @@ struct ListedRecords {
   const ReferenceRecord<D>* reference;
   const MotionRecord<D>* motion;
   const StressRecord<D>* stress;
-  const HourglassRecord<D>* hourglass = nullptr;
+  const ShiftRecord<D>* shift = nullptr;          ///< with a correction
+  const HourglassRecord<D>* hourglass = nullptr;  ///< with control of zero-energy modes
 };
 
 /// ... and those of a lattice.
@@ -40,6 +41,7 @@ struct LatticeRecords {
   Transposed<ReferenceRecord<D>> reference;
   Transposed<MotionRecord<D>> motion;
   Transposed<StressRecord<D>> stress;
+  Transposed<ShiftRecord<D>> shift;          ///< null without a correction
   Transposed<HourglassRecord<D>> hourglass;  ///< null where there is no control of zero-energy modes
 };
 
@@ -75,7 +77,8 @@ template <class Pass, class Kernel, int D, class Records>
 struct ReferenceSums {
   using Number = typename Records::Number;
   Records records;
-  const ReferenceRecord<D>* reference;  ///< of particle i, wherever its neighbours are read
+  const ReferenceRecord<D>* reference;                ///< of particle i, wherever its neighbours are read
+  const Correction<double, D>* correction = nullptr;  ///< of particle i, where gradients are corrected
 
   template <class Self, class Sums>
   [[gnu::always_inline]] void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
@@ -107,8 +110,8 @@ struct ReferenceSums {
 /// the same for all terms of the sum, so that it is applied to the whole.
 template <class Kernel, int D, bool corrected, class Records>
 struct DeformationSums : ReferenceSums<DeformationSums<Kernel, D, corrected, Records>, Kernel, D, Records> {
-  Tensor<double, D>* deformation;  ///< F
-  Tensor<double, D>* rate;         ///< dF/dt of total-Lagrangian particles, 1/s
+  StressRecord<D>* stress;  ///< whose cofactor is F from now on
+  Tensor<double, D>* rate;  ///< dF/dt of total-Lagrangian particles, 1/s
 
   using Number = typename Records::Number;
   struct Self {
@@ -148,9 +151,10 @@ struct DeformationSums : ReferenceSums<DeformationSums<Kernel, D, corrected, Rec
 
   template <class Lanes>
   [[gnu::always_inline]] void leave(std::size_t i, const Sums& sums, const Lanes& lanes) const {
-    deformation[i] = gradient(i, sums.displacement, lanes);
+    auto& deformation = stress[i].cofactor;
+    deformation = gradient(i, sums.displacement, lanes);
     if (this->reference[i].lagrangian != 0.0) rate[i] = gradient(i, sums.rate, lanes);
-    for (int k = 0; k < D; ++k) deformation[i](k, k) += 1.0;
+    for (int k = 0; k < D; ++k) deformation(k, k) += 1.0;
   }
 
  private:
@@ -159,7 +163,7 @@ struct DeformationSums : ReferenceSums<DeformationSums<Kernel, D, corrected, Rec
     Tensor<double, D> slope;
     for (int k = 0; k < D * D; ++k) slope.c[k] = lanes.sum(moments.slope.c[k]);
     if constexpr (corrected) {
-      const auto& correction = this->reference[i].correction;
+      const auto& correction = this->correction[i];
       for (int r = 0; r < D; ++r)
         for (int c = 0; c < D; ++c) slope(r, c) -= lanes.sum(moments.value[r]) * correction.shift[c];
       return product_with_transposed(slope, correction.matrix);
@@ -180,6 +184,7 @@ struct LagrangianForces
     : ReferenceSums<LagrangianForces<Kernel, Viscosity, D, corrected, Records>, Kernel, D, Records> {
   Viscosity viscosity;
   const StressRecord<D>* stress;
+  const ShiftRecord<D>* shift;  ///< null without a correction
   const double* mass;
   Vector<double, D>* acceleration;
   double* viscous_power;   ///< W/kg
@@ -209,7 +214,7 @@ struct LagrangianForces
            own(r.motion, i, &MotionRecord<D>::v),  own(r.stress, i, &Stress::density),
            own(r.stress, i, &Stress::sound_speed), own(r.stress, i, &Stress::least_stretch),
            own(r.stress, i, &Stress::cofactor),    {}};
-    if constexpr (corrected) a.cofactor_shift = own(r.stress, i, &Stress::cofactor_shift);
+    if constexpr (corrected) a.cofactor_shift = own(r.shift, i, &ShiftRecord<D>::cofactor);
     return a;
   }
 
@@ -222,7 +227,7 @@ struct LagrangianForces
 
     // The gradient of the neighbour's kernel is that of -∇W: both signs are turned here.
     auto pull = times(gathered(r.stress, j, &Stress::stress), pair.slope);
-    if constexpr (corrected) pull += pair.value * gathered(r.stress, j, &Stress::stress_shift);
+    if constexpr (corrected) pull += pair.value * gathered(r.shift, j, &ShiftRecord<D>::stress);
     sums.pull += pull;
     sums.slope += volume * pair.slope;
     if constexpr (corrected) sums.value += volume * pair.value;
@@ -244,7 +249,7 @@ struct LagrangianForces
     Vector<double, D> slope;
     for (int k = 0; k < D; ++k) slope[k] = lanes.sum(sums.slope[k]);
     auto push = times(stress[i].stress, slope);
-    if constexpr (corrected) push = push - lanes.sum(sums.value) * stress[i].stress_shift;
+    if constexpr (corrected) push = push - lanes.sum(sums.value) * shift[i].stress;
     for (int k = 0; k < D; ++k)
       acceleration[i][k] = over_mass * (push[k] + self.volume * lanes.sum(sums.pull[k])) -
                            0.5 * over_jacobian * lanes.sum(sums.viscous[k]);
@@ -262,7 +267,7 @@ struct LagrangianForces
     auto bracket = times(gathered(r.stress, j, &Stress::cofactor), pair.slope);
     bracket += times(a.cofactor, pair.slope);
     if constexpr (corrected)
-      bracket += pair.value * (gathered(r.stress, j, &Stress::cofactor_shift) - a.cofactor_shift);
+      bracket += pair.value * (gathered(r.shift, j, &ShiftRecord<D>::cofactor) - a.cofactor_shift);
     const Number density = gathered(r.stress, j, &Stress::density);
     const Number c = Number(0.5) * (a.sound_speed + gathered(r.stress, j, &Stress::sound_speed));
     // Of the present configuration, as the places are: with h as it was at the start μ would grow as they come nearer.

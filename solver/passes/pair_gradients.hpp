@@ -9,20 +9,6 @@
 
 namespace tektite {
 
-/// What the correction is found from, and where it is kept.
-template <int D>
-struct CorrectionRecord {
-  Vector<double, D> x;      ///< m
-  double volume;            ///< m/ρ
-  double smoothing_length;  ///< h
-  Correction<double, D> correction;
-
-  void mirror(int axis, double at) {
-    x[axis] = 2.0 * at - x[axis];
-    correction.mirror(axis);
-  }
-};
-
 /// Without correction: ∇_iW = -∇_jW, along the line between both.
 template <int D>
 struct PlainGradients {

@@ -78,7 +78,7 @@ class TransposedRecords {
     for_each(lattice.rows(), [&](std::size_t row) {
       const auto cells = lattice.records().subspan(row * pitch_, pitch_);
       double* const to = numbers_.data() + (row * kept_ + from) * pitch_;
-      for (std::size_t column = 0; column + pack_width <= pitch_; column += pack_width) {
+      for (std::size_t column = 0; column < pitch_; column += pack_width) {
         const double* place[pack_width];
         bool any = false;
         for (std::size_t lane = 0; lane < pack_width; ++lane) {

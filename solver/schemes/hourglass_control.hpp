@@ -37,7 +37,7 @@ class HourglassControl {
                   const std::vector<ReferenceRecord<D>>& reference, const std::vector<MotionRecord<D>>& motion,
                   const double* mass, Vector<double, D>* acceleration, double dt) {
     fits_.resize(reference.size());
-    const ListedRecords<D> records{reference.data(), motion.data(), nullptr, fits_.data()};
+    const ListedRecords<D> records{reference.data(), motion.data(), nullptr, nullptr, fits_.data()};
     neighbours.sweep(records, [&]<class Records>(const Records& r) {
       return FitMotion<Kernel, D, Records>{{r, reference.data()}, stiffness_.data(), fits_.data()};
     });

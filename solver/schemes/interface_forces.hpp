@@ -32,7 +32,8 @@ class InterfaceForces {
 
   /// Adds to accelerations and viscous powers, in the middle of a step.
   void add(Particles& p, const Mirror<2>& mirror, const std::vector<ReferenceRecord<2>>& reference,
-           const std::vector<MotionRecord<2>>& motion, const std::vector<StressRecord<2>>& stress) {
+           const std::vector<MotionRecord<2>>& motion, const std::vector<StressRecord<2>>& stress,
+           const std::vector<ShiftRecord<2>>& shift) {
     if (members_.empty()) return;
     records_.resize(p.count() + mirror.images());
     for (const auto& body : p.bodies()) {
@@ -41,8 +42,8 @@ class InterfaceForces {
     }
     mirror.fill(records_, p.count());
     for_each_pair(meeting_,
-                  InterfaceStress<Kernel>{reference.data(), motion.data(), stress.data(), records_.data(), *settings_,
-                                          p.scalars(Field::mass), p.vectors<2>(Field::acceleration),
+                  InterfaceStress<Kernel>{reference.data(), motion.data(), stress.data(), shift.data(), records_.data(),
+                                          *settings_, p.scalars(Field::mass), p.vectors<2>(Field::acceleration),
                                           p.scalars(Field::viscous_power)});
   }
 

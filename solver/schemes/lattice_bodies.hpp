@@ -14,7 +14,7 @@ namespace tektite {
 
 /// What the passes read beside the records that all read.
 struct LagrangianReads {
-  bool corrected;  ///< corrections
+  bool corrected;  ///< the records of shifts
   bool hourglass;  ///< the records of the control of zero-energy modes
 };
 
@@ -55,11 +55,13 @@ class LatticeBodies {
     for (auto& body : bodies_) body.rows.fill(body.lattice, records, of_reference, of_motion);
   }
   void fill(const std::vector<StressRecord<D>>& records) {
-    for (auto& body : bodies_) body.rows.fill(body.lattice, records, of_reference + of_motion, body.of_stress);
+    for (auto& body : bodies_) body.rows.fill(body.lattice, records, before_stress, of_stress);
+  }
+  void fill(const std::vector<ShiftRecord<D>>& records) {
+    for (auto& body : bodies_) body.rows.fill(body.lattice, records, before_shift, of_shift);
   }
   void fill(const std::vector<HourglassRecord<D>>& records) {
-    for (auto& body : bodies_)
-      body.rows.fill(body.lattice, records, of_reference + of_motion + body.of_stress, of_hourglass);
+    for (auto& body : bodies_) body.rows.fill(body.lattice, records, body.before_hourglass(), of_hourglass);
   }
 
   /// Leaves out where wanted(record) says no.
@@ -74,9 +76,9 @@ class LatticeBodies {
     for (const auto& body : bodies_)
       for_each_on_lattice<D, TransposedRecords, ReferencePair<double, D>>(
           body.lattice, body.rows, body.pairs,
-          make(LatticeRecords<D>{body.rows.template view<ReferenceRecord<D>>(0),
-                                 body.rows.template view<MotionRecord<D>>(of_reference),
-                                 body.rows.template view<StressRecord<D>>(of_reference + of_motion), body.hourglass()}),
+          make(LatticeRecords<D>{
+              body.rows.template view<ReferenceRecord<D>>(0), body.rows.template view<MotionRecord<D>>(of_reference),
+              body.rows.template view<StressRecord<D>>(before_stress), body.shift(), body.hourglass()}),
           count);
   }
 
@@ -88,26 +90,27 @@ class LatticeBodies {
 
  private:
   // What the rows hold of each record, from its first number on: of the reference record the volume alone, since pairs
-  // know the rest; of the stress record all but J, and without correction no shifts.
+  // know the rest; of the stress record all but J. Shifts, and behind them what hourglass control reads, are there
+  // where passes read them.
   static constexpr std::size_t of_reference = 1;
   static constexpr std::size_t of_motion = sizeof(MotionRecord<D>) / sizeof(double);
-  static constexpr std::size_t of_corrected_stress = sizeof(StressRecord<D>) / sizeof(double) - 1;
-  static constexpr std::size_t of_plain_stress = of_corrected_stress - 2 * D;
+  static constexpr std::size_t before_stress = of_reference + of_motion;
+  static constexpr std::size_t of_stress = sizeof(StressRecord<D>) / sizeof(double) - 1;
+  static constexpr std::size_t before_shift = before_stress + of_stress;
+  static constexpr std::size_t of_shift = sizeof(ShiftRecord<D>) / sizeof(double);
   static constexpr std::size_t of_hourglass = sizeof(HourglassRecord<D>) / sizeof(double);
 
   struct Body {
     Lattice<D> lattice;
-    bool has_hourglass;
-    std::size_t of_stress;
+    LagrangianReads read;
     TransposedRecords rows;
     std::vector<LatticePair<ReferencePair<double, D>>> pairs;
 
-    Body(Lattice<D> found, double h, LagrangianReads read)
+    Body(Lattice<D> found, double h, LagrangianReads reads)
         : lattice(std::move(found)),
-          has_hourglass(read.hourglass),
-          of_stress(read.corrected ? of_corrected_stress : of_plain_stress),
-          rows(lattice, of_reference + of_motion + of_stress + (has_hourglass ? of_hourglass : 0)) {
-      rows.template empty<StressRecord<D>>(of_reference + of_motion, of_stress);
+          read(reads),
+          rows(lattice, before_hourglass() + (read.hourglass ? of_hourglass : 0)) {
+      rows.template empty<StressRecord<D>>(before_stress, of_stress);
       for (const auto& neighbour : lattice.neighbours()) {
         const KernelPair<Kernel, D> pair(broadcast(neighbour.x), Pack(h));
         auto slope = Vector<double, D>::zero();
@@ -116,9 +119,15 @@ class LatticeBodies {
       }
     }
 
+    std::size_t before_hourglass() const { return before_shift + (read.corrected ? of_shift : 0); }
+
+    Transposed<ShiftRecord<D>> shift() const {
+      if (!read.corrected) return {nullptr, 0};
+      return rows.template view<ShiftRecord<D>>(before_shift);
+    }
     Transposed<HourglassRecord<D>> hourglass() const {
-      if (!has_hourglass) return {nullptr, 0};
-      return rows.template view<HourglassRecord<D>>(of_reference + of_motion + of_stress);
+      if (!read.hourglass) return {nullptr, 0};
+      return rows.template view<HourglassRecord<D>>(before_hourglass());
     }
   };
 

@@ -96,7 +96,7 @@ class TotalLagrangianScheme final : public Scheme {
     anvil_.stop(particles_, dt);
     advance(dt);
     anvil_.rest(particles_);
-    if (settings_.conversion.by != Conversion::By::none) convert();
+    if (converts()) convert();
   }
 
   TimeStep stable_step() const override {
@@ -122,12 +122,14 @@ class TotalLagrangianScheme final : public Scheme {
   std::size_t memory() const override {
     return neighbours_.memory() + (contact_ ? contact_->memory() : 0) + (eulerian_ ? eulerian_->memory() : 0) +
            reference_.capacity() * sizeof(ReferenceRecord<D>) + motion_.capacity() * sizeof(MotionRecord<D>) +
-           stress_.capacity() * sizeof(StressRecord<D>) + deformation_.capacity() * sizeof(Tensor<double, D>) +
+           stress_.capacity() * sizeof(StressRecord<D>) + corrections_.capacity() * sizeof(Correction<double, D>) +
+           shift_.capacity() * sizeof(ShiftRecord<D>) + deformation_.capacity() * sizeof(Tensor<double, D>) +
            rings_.memory() + interface_.memory() + (hourglass_ ? hourglass_->memory() : 0);
   }
 
  private:
   std::size_t without_correction() const { return uncorrected_ + (eulerian_ ? eulerian_->without_correction() : 0); }
+  bool converts() const { return settings_.conversion.by != Conversion::By::none; }
   double support() const { return Kernel::support * smoothing_range(particles_).second; }
 
   /// Everything that follows from the reference configuration alone.
@@ -145,13 +147,13 @@ class TotalLagrangianScheme final : public Scheme {
     reference_.resize(all);
     motion_.resize(all);
     stress_.resize(all);
-    deformation_.resize(count);
+    if (settings_.corrected || eulerian_) shift_.assign(all, {Vector<double, D>::zero(), Vector<double, D>::zero()});
+    if (converts()) deformation_.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
       auto& r = reference_[i];
       r.x = particles_.template vectors<D>(Field::reference_position)[i];
       r.volume = particles_.scalars(Field::reference_volume)[i];
       r.smoothing_length = particles_.scalars(Field::smoothing_length)[i];
-      r.correction = Correction<double, D>::none();
     }
     if (controlled) hourglass_.emplace(count, materials_, settings_.hourglass_control);
     if constexpr (rings) {
@@ -160,14 +162,25 @@ class TotalLagrangianScheme final : public Scheme {
     }
     note_kernel_types();
     if constexpr (rings) rings_.find_offsets(neighbours_.pairs(), mirror_, reference_);
-    if (settings_.corrected)
-      uncorrected_ =
-          MixedCorrection<Kernel, D>(least_moment_of_reference).find(neighbours_.pairs(), mirror_, reference_, count);
+    if (settings_.corrected) find_corrections();
     neighbours_.fill(reference_);
     if (eulerian_)
       drop_pairs();
     else
       neighbours_.drop_lists_of_lattices();
+  }
+
+  void find_corrections() {
+    std::vector<CorrectionRecord<D>> records(reference_.size());
+    for_each(records.size(), [&](std::size_t i) {
+      const auto& r = reference_[i];
+      records[i] = {r.x, r.volume, r.smoothing_length, Correction<double, D>::none()};
+    });
+    const auto count = particles_.count();
+    uncorrected_ =
+        MixedCorrection<Kernel, D>(least_moment_of_reference).find(neighbours_.pairs(), mirror_, records, count);
+    corrections_.resize(count);
+    for_each(count, [&](std::size_t i) { corrections_[i] = records[i].correction; });
   }
 
   /// Copies who is Eulerian into the records: an Eulerian particle has its volume, also where it had failed before and
@@ -192,7 +205,7 @@ class TotalLagrangianScheme final : public Scheme {
   /// Runs the pass that make.operator()<corrected>(records) gives over all pairs of the reference configuration.
   template <class Make>
   void sweep(const Make& make) const {
-    const ListedRecords<D> records{reference_.data(), motion_.data(), stress_.data()};
+    const ListedRecords<D> records{reference_.data(), motion_.data(), stress_.data(), shift_.data()};
     if (settings_.corrected)
       neighbours_.sweep(records, [&](const auto& r) { return make.template operator()<true>(r); });
     else
@@ -227,17 +240,21 @@ class TotalLagrangianScheme final : public Scheme {
       const auto scope = profile_.time("deformation");
       auto* const rate = p.template tensors<D>(Field::velocity_gradient);  // becomes L in `evaluate_stress`
       sweep([this, rate]<bool corrected, class Records>(const Records& records) {
-        return DeformationSums<Kernel, D, corrected, Records>{{records, reference_.data()}, deformation_.data(), rate};
+        return DeformationSums<Kernel, D, corrected, Records>{
+            {records, reference_.data(), corrections_.data()}, stress_.data(), rate};
       });
       if constexpr (rings)
-        rings_.stretch(neighbours_.pairs(), mirror_, reference_, motion_, deformation_, rate,
-                       p.scalars(Field::across_rate));
+        rings_.stretch(neighbours_.pairs(), mirror_, reference_, motion_, stress_, rate, p.scalars(Field::across_rate));
     }
     {
       const auto scope = profile_.time("stress");
       materials_.for_each_run([&](const auto& run) { evaluate_stress(run, half_step); });
       mirror_.fill(stress_, p.count());
       neighbours_.fill(stress_);
+      if (settings_.corrected) {
+        mirror_.fill(shift_, p.count());
+        neighbours_.fill(shift_);
+      }
     }
     const auto scope = profile_.time("forces");
     sweep([this, &p]<bool corrected, class Records>(const Records& records) {
@@ -245,6 +262,7 @@ class TotalLagrangianScheme final : public Scheme {
           {records, reference_.data()},
           viscosity_,
           stress_.data(),
+          shift_.data(),
           p.scalars(Field::mass),
           p.template vectors<D>(Field::acceleration),
           p.scalars(Field::viscous_power),
@@ -259,7 +277,7 @@ class TotalLagrangianScheme final : public Scheme {
                              p.template vectors<D>(Field::acceleration), dt);
     }
     if (eulerian_) {
-      if constexpr (D == 2) interface_.add(p, mirror_, reference_, motion_, stress_);
+      if constexpr (D == 2) interface_.add(p, mirror_, reference_, motion_, stress_, shift_);
       eulerian_->evaluate(motion_, reference_);
     }
     if (contact_)
@@ -287,13 +305,14 @@ class TotalLagrangianScheme final : public Scheme {
   /// Stress in the middle of a step, from the deformation there.
   void evaluate_stress(const Run& run, double half_step) {
     auto& p = particles_;
-    run_through(run.range, Deform<D, rings>{reference_.data(), deformation_.data(), p.scalars(Field::mass),
-                                            p.scalars(Field::reference_volume), p.scalars(Field::density),
-                                            p.scalars(Field::specific_internal_energy), p.scalars(Field::pressure),
-                                            p.template symmetrics<D>(Field::deviatoric_stress),
-                                            p.scalars(Field::viscous_power), rings_.stretch_of_each(), across_rate(),
-                                            half_step, stress_.data(), p.template tensors<D>(Field::velocity_gradient),
-                                            p.scalars(Field::half_density), p.scalars(Field::half_energy)});
+    run_through(run.range,
+                Deform<D, rings>{reference_.data(), p.scalars(Field::mass), p.scalars(Field::reference_volume),
+                                 p.scalars(Field::density), p.scalars(Field::specific_internal_energy),
+                                 p.scalars(Field::pressure), p.template symmetrics<D>(Field::deviatoric_stress),
+                                 p.scalars(Field::viscous_power), rings_.stretch_of_each(), across_rate(), half_step,
+                                 stress_.data(), converts() ? deformation_.data() : nullptr,
+                                 p.template tensors<D>(Field::velocity_gradient), p.scalars(Field::half_density),
+                                 p.scalars(Field::half_energy)});
     run_through(run.range,
                 FindLeastStretch<D>{reference_.data(), stress_.data(), p.scalars(Field::least_stretch), !eulerian_});
     materials_.evaluate_eos(run, Field::half_density, Field::half_energy, Field::half_pressure,
@@ -305,9 +324,10 @@ class TotalLagrangianScheme final : public Scheme {
                                              p.scalars(Field::half_sound_speed), stress_.data()});
     if constexpr (rings) rings_.turn_stress(p, run.range, reference_, stress_);
     if (settings_.corrected)
-      run_through(run.range, WeighStress<D, true>{reference_.data(), stress_.data()});
+      run_through(run.range,
+                  WeighStress<D, true>{reference_.data(), corrections_.data(), stress_.data(), shift_.data()});
     else
-      run_through(run.range, WeighStress<D, false>{reference_.data(), stress_.data()});
+      run_through(run.range, WeighStress<D, false>{reference_.data(), nullptr, stress_.data(), nullptr});
   }
 
   double* across_rate() { return rings ? particles_.scalars(Field::across_rate) : nullptr; }
@@ -345,7 +365,9 @@ class TotalLagrangianScheme final : public Scheme {
   std::vector<ReferenceRecord<D>> reference_;
   std::vector<MotionRecord<D>> motion_;
   std::vector<StressRecord<D>> stress_;
-  std::vector<Tensor<double, D>> deformation_;
+  std::vector<Correction<double, D>> corrections_;   ///< of the particles, where a scene asks for them
+  std::vector<ShiftRecord<D>> shift_;                ///< where there are corrections, and in adaptle
+  std::vector<Tensor<double, D>> deformation_;       ///< F of the last step, for the conversion of adaptle
   std::optional<EulerianPart<Kernel, D>> eulerian_;  ///< of the scheme adaptle
   Converter<D> converter_;
   InterfaceForces<Kernel> interface_;  ///< of the scheme adaptle, in the plane

@@ -46,16 +46,17 @@ Particles round_body() {
 
 template <int D>
 struct Outcome {
-  std::vector<Tensor<double, D>> deformation, rate;
+  std::vector<StressRecord<D>> deformed;
+  std::vector<Tensor<double, D>> rate;
   std::vector<Vector<double, D>> acceleration;
   std::vector<double> power, signal;
 
   explicit Outcome(std::size_t count)
-      : deformation(count), rate(count), acceleration(count), power(count), signal(count) {}
+      : deformed(count), rate(count), acceleration(count), power(count), signal(count) {}
 
   std::vector<double> numbers(std::size_t i) const {
     std::vector<double> all{power[i], signal[i]};
-    all.insert(all.end(), std::begin(deformation[i].c), std::end(deformation[i].c));
+    all.insert(all.end(), std::begin(deformed[i].cofactor.c), std::end(deformed[i].cofactor.c));
     all.insert(all.end(), std::begin(rate[i].c), std::end(rate[i].c));
     all.insert(all.end(), std::begin(acceleration[i].c), std::end(acceleration[i].c));
     return all;
@@ -76,35 +77,33 @@ class State {
     reference_.resize(all);
     motion_.resize(all);
     stress_.resize(all);
+    shift_.resize(all);
+    corrections_.resize(count);
     test::Random random(D);
     for (std::size_t i = 0; i < count; ++i) {
       const auto& x = particles_.template vectors<D>(Field::reference_position)[i];
-      reference_[i] = {i % 23 == 5 ? 0.0 : random.between(0.9, 1.1), x, ratio * spacing, 1.0,
-                       Correction<double, D>::none()};
+      reference_[i] = {i % 23 == 5 ? 0.0 : random.between(0.9, 1.1), x, ratio * spacing, 1.0};
       for (int k = 0; k < D; ++k) {
         motion_[i].x[k] = x[k] + random.between(-0.1, 0.1);
         motion_[i].v[k] = random.between(-1.0, 1.0);
       }
       auto& s = stress_[i];
-      s = {random.between(0.9, 1.1),
-           1.0,
-           random.between(0.5, 1.0),
-           random.gradient<D>(1.0),
-           random.gradient<D>(1.0),
-           {},
-           {},
-           1.0};
+      s = {random.between(0.9, 1.1), 1.0, random.between(0.5, 1.0), random.gradient<D>(1.0),
+           random.gradient<D>(1.0),  1.0};
       for (int k = 0; k < D; ++k) {
-        s.stress_shift[k] = random.between(-0.1, 0.1);
-        s.cofactor_shift[k] = random.between(-0.1, 0.1);
+        shift_[i].stress[k] = random.between(-0.1, 0.1);
+        shift_[i].cofactor[k] = random.between(-0.1, 0.1);
       }
+      corrections_[i] = {random.gradient<D>(1.0), motion_[i].v};
     }
-    MixedCorrection<CubicSpline, D>(least_moment_of_reference).find(pairs_, mirror_, reference_, count);
+    mirror_.fill(reference_, count);
     mirror_.fill(motion_, count);
     mirror_.fill(stress_, count);
+    mirror_.fill(shift_, count);
     lattices_.fill(reference_);
     lattices_.fill(motion_);
     lattices_.fill(stress_);
+    lattices_.fill(shift_);
   }
 
   bool on_lattice() const { return lattices_.any(); }
@@ -113,7 +112,7 @@ class State {
   template <bool corrected>
   Outcome<D> by_lists() const {
     Outcome<D> outcome(count());
-    const ListedRecords<D> records{reference_.data(), motion_.data(), stress_.data()};
+    const ListedRecords<D> records{reference_.data(), motion_.data(), stress_.data(), shift_.data()};
     for_each_pair(pairs_, deformation<corrected>(records, outcome));
     for_each_pair(pairs_, forces<corrected>(records, outcome));
     return outcome;
@@ -130,13 +129,14 @@ class State {
   template <bool corrected, class Records>
   auto deformation(const Records& records, Outcome<D>& to) const {
     return DeformationSums<CubicSpline, D, corrected, Records>{
-        {records, reference_.data()}, to.deformation.data(), to.rate.data()};
+        {records, reference_.data(), corrections_.data()}, to.deformed.data(), to.rate.data()};
   }
   template <bool corrected, class Records>
   auto forces(const Records& records, Outcome<D>& to) const {
     return LagrangianForces<CubicSpline, MonaghanViscosity, D, corrected, Records>{{records, reference_.data()},
                                                                                    MonaghanViscosity{1.0, 2.0},
                                                                                    stress_.data(),
+                                                                                   shift_.data(),
                                                                                    mass_.data(),
                                                                                    to.acceleration.data(),
                                                                                    to.power.data(),
@@ -151,6 +151,8 @@ class State {
   std::vector<ReferenceRecord<D>> reference_;
   std::vector<MotionRecord<D>> motion_;
   std::vector<StressRecord<D>> stress_;
+  std::vector<ShiftRecord<D>> shift_;
+  std::vector<Correction<double, D>> corrections_;
 };
 
 template <int D>

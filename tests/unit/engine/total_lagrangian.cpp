@@ -56,8 +56,12 @@ class Reference {
     pairs_ = reference_pairs(ReferencePlaces<D>(particles_, mirror_, 2.8), count, 2.8);
     records_.resize(count);
     for (std::size_t i = 0; i < count; ++i)
-      records_[i] = {1.0, particles_.vectors<D>(Field::reference_position)[i], 1.4, 1.0, Correction<double, D>::none()};
-    REQUIRE(MixedCorrection<CubicSpline, D>(least_moment_of_reference).find(pairs_, mirror_, records_, count) == 0);
+      records_[i] = {1.0, particles_.vectors<D>(Field::reference_position)[i], 1.4, 1.0};
+    std::vector<CorrectionRecord<D>> corrected;
+    for (const auto& r : records_)
+      corrected.push_back({r.x, r.volume, r.smoothing_length, Correction<double, D>::none()});
+    REQUIRE(MixedCorrection<CubicSpline, D>(least_moment_of_reference).find(pairs_, mirror_, corrected, count) == 0);
+    for (const auto& r : corrected) corrections_.push_back(r.correction);
   }
 
   /// body(F, dF/dt) of every particle.
@@ -65,22 +69,26 @@ class Reference {
   void move(const Tensor<double, D>& a, const Tensor<double, D>& b, const Body& body) const {
     const auto count = records_.size();
     std::vector<MotionRecord<D>> motion(count);
-    std::vector<Tensor<double, D>> deformation(count), rate(count);
+    std::vector<StressRecord<D>> deformed(count);
+    std::vector<Tensor<double, D>> rate(count);
     for (std::size_t i = 0; i < count; ++i) motion[i] = {times(a, records_[i].x), times(b, records_[i].x)};
-    for_each_pair(pairs_,
-                  DeformationSums<CubicSpline, D, true, ListedRecords<D>>{
-                      {{records_.data(), motion.data(), nullptr}, records_.data()}, deformation.data(), rate.data()});
-    for (std::size_t i = 0; i < count; ++i) body(deformation[i], rate[i]);
+    for_each_pair(pairs_, DeformationSums<CubicSpline, D, true, ListedRecords<D>>{
+                              {{records_.data(), motion.data(), nullptr}, records_.data(), corrections_.data()},
+                              deformed.data(),
+                              rate.data()});
+    for (std::size_t i = 0; i < count; ++i) body(deformed[i].cofactor, rate[i]);
   }
 
   const PairList& pairs() const { return pairs_; }
   const std::vector<ReferenceRecord<D>>& records() const { return records_; }
+  const std::vector<Correction<double, D>>& corrections() const { return corrections_; }
 
  private:
   Particles particles_;
   Mirror<D> mirror_;
   PairList pairs_;
   std::vector<ReferenceRecord<D>> records_;
+  std::vector<Correction<double, D>> corrections_;
 };
 
 template <int D>
@@ -118,14 +126,8 @@ struct RandomState {
     for (std::size_t i = 0; i < reference.size(); ++i) {
       motion[i].x = reference[i].x;
       for (int k = 0; k < D; ++k) motion[i].v[k] = random.between(-1.0, 1.0);
-      stress[i] = {random.between(0.9, 1.1),
-                   1.0,
-                   random.between(0.5, 1.0),
-                   random.gradient<D>(1.0),
-                   random.gradient<D>(1.0),
-                   {},
-                   {},
-                   1.0};
+      stress[i] = {random.between(0.9, 1.1), 1.0, random.between(0.5, 1.0), random.gradient<D>(1.0),
+                   random.gradient<D>(1.0),  1.0};
       for (int k = 0; k < D; ++k) stress[i].cofactor(k, k) += 1.0;
     }
   }
@@ -138,7 +140,8 @@ struct Push {
 
 /// Young et al. (2021), eq. 2, of one particle of mass one, neighbour after neighbour as it is printed.
 template <int D>
-Push push_on(std::size_t a, const std::vector<ReferenceRecord<D>>& reference, const RandomState<D>& state,
+Push push_on(std::size_t a, const std::vector<ReferenceRecord<D>>& reference,
+             const std::vector<Correction<double, D>>& corrections, const RandomState<D>& state,
              const MonaghanViscosity& viscosity) {
   const auto& own = reference[a];
   Push push{std::vector<double>(D, 0.0), 0.0};
@@ -151,8 +154,8 @@ Push push_on(std::size_t a, const std::vector<ReferenceRecord<D>>& reference, co
       slope[k] = pair.slope[k][0];
       opposite[k] = -slope[k];
     }
-    const auto here = own.correction.gradient(slope, pair.value[0]);
-    const auto there = reference[b].correction.gradient(opposite, pair.value[0]);
+    const auto here = corrections[a].gradient(slope, pair.value[0]);
+    const auto there = corrections[b].gradient(opposite, pair.value[0]);
     const auto &mine = state.stress[a], &other = state.stress[b];
     const auto pull = times(other.stress, there) - times(mine.stress, here);
     const auto bracket = times(other.cofactor, there) - times(mine.cofactor, here);
@@ -180,22 +183,26 @@ void check_forces() {
   const RandomState<D> state(reference);
   const MonaghanViscosity viscosity{1.0, 2.0};
   auto weighed = state.stress;
+  std::vector<ShiftRecord<D>> shift(reference.size());
   const auto count = reference.size();
-  for (std::size_t i = 0; i < count; ++i) WeighStress<D, true>{reference.data(), weighed.data()}(i);
+  for (std::size_t i = 0; i < count; ++i)
+    WeighStress<D, true>{reference.data(), block.corrections().data(), weighed.data(), shift.data()}(i);
   const std::vector<double> mass(count, 1.0);
   std::vector<Vector<double, D>> acceleration(count);
   std::vector<double> power(count), signal(count);
-  for_each_pair(block.pairs(), LagrangianForces<CubicSpline, MonaghanViscosity, D, true, ListedRecords<D>>{
-                                   {{reference.data(), state.motion.data(), weighed.data()}, reference.data()},
-                                   viscosity,
-                                   weighed.data(),
-                                   mass.data(),
-                                   acceleration.data(),
-                                   power.data(),
-                                   signal.data()});
+  for_each_pair(block.pairs(),
+                LagrangianForces<CubicSpline, MonaghanViscosity, D, true, ListedRecords<D>>{
+                    {{reference.data(), state.motion.data(), weighed.data(), shift.data()}, reference.data()},
+                    viscosity,
+                    weighed.data(),
+                    shift.data(),
+                    mass.data(),
+                    acceleration.data(),
+                    power.data(),
+                    signal.data()});
   double most = 0.0, largest = 0.0;
   for (std::size_t i = 0; i < count; ++i) {
-    const auto expected = push_on(i, reference, state, viscosity);
+    const auto expected = push_on(i, reference, block.corrections(), state, viscosity);
     for (int k = 0; k < D; ++k) {
       most = std::max(most, std::abs(acceleration[i][k] - expected.acceleration[static_cast<std::size_t>(k)]));
       largest = std::max(largest, std::abs(acceleration[i][k]));
