@@ -42,8 +42,8 @@ struct Deform {
   double* across_rate;    ///< of rings, 1/s
   double half_step;
   StressRecord<D>* records;
-  Tensor<double, D>* deformation;        ///< takes F, which leaves the record; null where nobody asks for it later
-  Tensor<double, D>* velocity_gradient;  ///< Ḟ of total-Lagrangian particles before
+  Tensor<double, D>* deformation;  ///< takes F, which leaves the record; null where nobody asks for it later
+  Tensor<double, D>* velocity_gradient;
   double* half_density;
   double* half_energy;
 
@@ -64,7 +64,7 @@ struct Deform {
     r.cofactor = cofactor(f);
     if (reference[i].lagrangian != 0.0) {
       r.jacobian = determinant(f);
-      l = product_with_transposed(l, r.cofactor);  // F⁻¹ = Cᵀ/J
+      l = product_with_transposed(r.stress, r.cofactor);  // F⁻¹ = Cᵀ/J
       const double inverse = 1.0 / r.jacobian;
       for (auto& component : l.c) component *= inverse;
       half_density[i] = mass[i] / (reference_volume[i] * r.jacobian);
@@ -123,18 +123,38 @@ struct WeighStress {
   }
 };
 
-/// Velocity, place, density and energy at the end of the step. The stress power P : Ḟ V_0/m is σ : L/ρ.
+/// What else of L and the stress in the middle of a step leads to its end: the power σ : L, of which P : Ḟ V_0/m is
+/// that over ρ, and the growth of the volume.
 template <int D, bool rings>
+struct PowerAndGrowth {
+  const Symmetric<double, D>* half_deviatoric_stress;
+  const double* half_pressure;
+  const Tensor<double, D>* velocity_gradient;
+  const double* across_rate;  ///< of rings, 1/s
+  double* power;              ///< W/m³
+  double* growth;             ///< 1/s
+
+  void operator()(std::size_t i) const {
+    const auto& l = velocity_gradient[i];
+    power[i] = contract(half_deviatoric_stress[i], symmetric_part(l)) - half_pressure[i] * trace(l);
+    growth[i] = trace(l);
+    if constexpr (rings) {
+      power[i] += (half_deviatoric_stress[i].c[2] - half_pressure[i]) * across_rate[i];
+      growth[i] += across_rate[i];
+    }
+  }
+};
+
+/// Velocity, place, density and energy at the end of the step.
+template <int D>
 struct AdvanceLagrangianMotion {
   const ReferenceRecord<D>* reference;
   const MotionRecord<D>* motion;
-  const Symmetric<double, D>* half_deviatoric_stress;
-  const double* half_pressure;
+  const double* half_power;
+  const double* growth;
   const double* half_density;
   const Vector<double, D>* acceleration;
-  const Tensor<double, D>* velocity_gradient;
   const double* viscous_power;
-  const double* across_rate;  ///< of rings, 1/s
   double step;
   Vector<double, D>* position;
   Vector<double, D>* velocity;
@@ -145,16 +165,9 @@ struct AdvanceLagrangianMotion {
   void operator()(std::size_t i) const {
     velocity[i] = velocity[i] + step * acceleration[i];
     position[i] = motion[i].x + (0.5 * step) * velocity[i];
-    const auto& l = velocity_gradient[i];
-    double power = contract(half_deviatoric_stress[i], symmetric_part(l)) - half_pressure[i] * trace(l);
-    double growth = trace(l);
-    if constexpr (rings) {
-      power += (half_deviatoric_stress[i].c[2] - half_pressure[i]) * across_rate[i];
-      growth += across_rate[i];
-    }
-    density[i] = reference[i].lagrangian != 0.0 ? half_density[i] * std::exp(-0.5 * step * growth)
-                                                : density[i] * density_factor(step * growth);
-    energy[i] += step * (power / half_density[i] + viscous_power[i]);
+    density[i] = reference[i].lagrangian != 0.0 ? half_density[i] * std::exp(-0.5 * step * growth[i])
+                                                : density[i] * density_factor(step * growth[i]);
+    energy[i] += step * (half_power[i] / half_density[i] + viscous_power[i]);
     viscous_work[i] += step * viscous_power[i];
   }
 };

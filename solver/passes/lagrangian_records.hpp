@@ -34,7 +34,7 @@ struct StressRecord {
   double sound_speed;          ///< c, bulk
   double least_stretch = 1.0;  ///< by which the viscosity's h has shrunk
   Tensor<double, D> stress;    ///< V_0 P `matrix` with the first Piola-Kirchhoff stress P = J σ F⁻ᵀ, J
-  Tensor<double, D> cofactor;  ///< J F⁻ᵀ `matrix`; from the sweep that finds it until the stress is known F itself
+  Tensor<double, D> cofactor;  ///< J F⁻ᵀ `matrix`; from the sweep over motions to the stress both are dF/dt and F
   double jacobian;             ///< J
 
   void mirror(int axis, double) {

@@ -16,8 +16,7 @@ namespace tektite {
 /// λ and its rate over λ, in the middle of a step. On the axis they are those of the radius.
 struct StretchRings {
   const ReferenceRecord<2>* reference;
-  const StressRecord<2>* records;  ///< their cofactors are F in the section
-  const Tensor<double, 2>* rate;
+  const StressRecord<2>* records;     ///< with F in the section and its rate
   const Vector<double, 2>* smoothed;  ///< 𝓢u_r in m, 𝓢v_r in m/s
   const Vector<double, 2>* offset;    ///< d, m
   double* stretch;                    ///< λ
@@ -25,7 +24,7 @@ struct StretchRings {
 
   void operator()(std::size_t i) const {
     const double radius = reference[i].x[0];
-    const auto &f = records[i].cofactor, &l = rate[i];
+    const auto &f = records[i].cofactor, &l = records[i].stress;
     const auto& d = offset[i];
     const bool on_axis = radius == 0.0;
     const double displacement = smoothed[i][0] - (f(0, 0) - 1.0) * d[0] - f(0, 1) * d[1];

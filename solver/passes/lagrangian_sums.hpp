@@ -77,8 +77,8 @@ template <class Pass, class Kernel, int D, class Records>
 struct ReferenceSums {
   using Number = typename Records::Number;
   Records records;
-  const ReferenceRecord<D>* reference;                ///< of particle i, wherever its neighbours are read
-  const Correction<double, D>* correction = nullptr;  ///< of particle i, where gradients are corrected
+  const ReferenceRecord<D>* reference;                 ///< of particle i, wherever its neighbours are read
+  const Correction<double, D>* corrections = nullptr;  ///< of particle i, where gradients are corrected
 
   template <class Self, class Sums>
   [[gnu::always_inline]] void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
@@ -110,8 +110,7 @@ struct ReferenceSums {
 /// the same for all terms of the sum, so that it is applied to the whole.
 template <class Kernel, int D, bool corrected, class Records>
 struct DeformationSums : ReferenceSums<DeformationSums<Kernel, D, corrected, Records>, Kernel, D, Records> {
-  StressRecord<D>* stress;  ///< whose cofactor is F from now on
-  Tensor<double, D>* rate;  ///< dF/dt of total-Lagrangian particles, 1/s
+  StressRecord<D>* deformed;  ///< their cofactor is F from now on, and their stress dF/dt in 1/s
 
   using Number = typename Records::Number;
   struct Self {
@@ -151,10 +150,10 @@ struct DeformationSums : ReferenceSums<DeformationSums<Kernel, D, corrected, Rec
 
   template <class Lanes>
   [[gnu::always_inline]] void leave(std::size_t i, const Sums& sums, const Lanes& lanes) const {
-    auto& deformation = stress[i].cofactor;
-    deformation = gradient(i, sums.displacement, lanes);
-    if (this->reference[i].lagrangian != 0.0) rate[i] = gradient(i, sums.rate, lanes);
-    for (int k = 0; k < D; ++k) deformation(k, k) += 1.0;
+    auto& f = deformed[i].cofactor;
+    f = gradient(i, sums.displacement, lanes);
+    for (int k = 0; k < D; ++k) f(k, k) += 1.0;
+    deformed[i].stress = gradient(i, sums.rate, lanes);
   }
 
  private:
@@ -163,7 +162,7 @@ struct DeformationSums : ReferenceSums<DeformationSums<Kernel, D, corrected, Rec
     Tensor<double, D> slope;
     for (int k = 0; k < D * D; ++k) slope.c[k] = lanes.sum(moments.slope.c[k]);
     if constexpr (corrected) {
-      const auto& correction = this->correction[i];
+      const auto& correction = this->corrections[i];
       for (int r = 0; r < D; ++r)
         for (int c = 0; c < D; ++c) slope(r, c) -= lanes.sum(moments.value[r]) * correction.shift[c];
       return product_with_transposed(slope, correction.matrix);

@@ -16,6 +16,7 @@
 #include "passes/smoothing.hpp"
 #include "schemes/corrected_sums.hpp"
 #include "schemes/eulerian_rings.hpp"
+#include "schemes/half_state.hpp"
 #include "schemes/hold_still.hpp"
 #include "schemes/make_scheme_in.hpp"
 #include "schemes/material_passes.hpp"
@@ -109,9 +110,8 @@ class EulerianScheme final : public Scheme {
 
  private:
   void allocate_scratch() {
-    for (const auto field : {Field::half_density, Field::half_energy, Field::half_pressure, Field::half_sound_speed,
-                             Field::half_deviatoric_stress})
-      particles_.allocate(field);
+    particles_.allocate(Field::half_density);
+    if constexpr (rings) HalfState<D>::allocate(particles_);
     materials_.allocate_scratch();
     if constexpr (across) particles_.allocate(Field::across_rate);
   }
@@ -147,28 +147,37 @@ class EulerianScheme final : public Scheme {
         if (half_step > 0.0) materials_.stretch_across(run, half_step);
       }
       if constexpr (rings) rings_.predict(p, run.range);
-      run_through(run.range,
-                  PredictMotion<D, across>{
-                      p.template vectors<D>(Field::position), p.template vectors<D>(Field::velocity),
-                      p.template vectors<D>(Field::acceleration), p.template tensors<D>(Field::velocity_gradient),
-                      p.template symmetrics<D>(Field::deviatoric_stress), p.scalars(Field::density),
-                      p.scalars(Field::specific_internal_energy), p.scalars(Field::pressure),
-                      p.scalars(Field::viscous_power), across_rate(), half_step, records_.data(),
-                      p.scalars(Field::half_density), p.scalars(Field::half_energy)});
-      if constexpr (rings) rings_.measure(p, run.range, half_step, records_);
-      materials_.evaluate_eos(run, Field::half_density, Field::half_energy, Field::half_pressure,
-                              Field::half_sound_speed);
-      materials_.predict_strength(run, half_step);
-      materials_.release(run, Field::half_deviatoric_stress, Field::half_pressure);
-      run_through(run.range, AssembleRecords<D, across>{
-                                 p.scalars(Field::mass), p.scalars(Field::half_density),
-                                 p.scalars(Field::half_pressure), p.scalars(Field::half_sound_speed),
-                                 p.template symmetrics<D>(Field::half_deviatoric_stress), thickness(), across_rate(),
-                                 rings ? 0.0 : half_step, p.scalars(Field::smoothing_length), records_.data()});
-      if constexpr (rings) rings_.show(p, run.range, records_);
+      predict(run, half_step);
     });
     neighbourhood_.mirror().fill(records_, p.count());
     if constexpr (rings) rings_.fill_images(p, neighbourhood_.mirror());
+  }
+
+  using Run = typename MaterialPasses<D, across>::Run;
+
+  /// The records of a run's particles.
+  void predict(const Run& run, double half_step) {
+    const auto& m = materials_;
+    const auto all = m.all_of(run);
+    auto* const records = records_.data() + run.range.begin;
+    const double* const rate = across ? m.scalars(run, Field::across_rate) : nullptr;
+    double* const density = m.scalars(run, Field::half_density);
+    const HalfState<D> half(particles_, run.range);
+    run_through(
+        all, PredictMotion<D, across>{
+                 m.vectors(run, Field::position), m.vectors(run, Field::velocity), m.vectors(run, Field::acceleration),
+                 half.velocity_gradient, m.symmetrics(run, Field::deviatoric_stress), m.scalars(run, Field::density),
+                 m.scalars(run, Field::specific_internal_energy), m.scalars(run, Field::pressure),
+                 m.scalars(run, Field::viscous_power), rate, half_step, records, density, half.energy});
+    if constexpr (rings) rings_.measure(particles_, run.range, half_step, records_);
+    m.evaluate_eos(run, density, half.energy, half.pressure, half.sound_speed);
+    m.predict_strength(run, half_step, half.velocity_gradient, half.deviatoric_stress);
+    m.release(run, half.deviatoric_stress, half.pressure);
+    run_through(
+        all, AssembleRecords<D, across>{m.scalars(run, Field::mass), density, half.pressure, half.sound_speed,
+                                        half.deviatoric_stress, across ? thickness() + run.range.begin : nullptr, rate,
+                                        rings ? 0.0 : half_step, m.scalars(run, Field::smoothing_length), records});
+    if constexpr (rings) rings_.show(particles_, run.range, records_);
   }
 
   template <class Smoothing>

@@ -149,9 +149,11 @@ class GodunovSplitScheme final : public GodunovScheme<space, Kernel, Hydrodynami
     const auto scope = profile_.time("assemble");
     auto& p = particles_;
     materials_.for_each_run([&](const Run& run) {
-      materials_.evaluate_eos(run, Field::density, Field::specific_internal_energy, Field::half_pressure,
-                              Field::half_sound_speed);
-      materials_.release(run, Field::deviatoric_stress, Field::half_pressure);
+      double* const pressure = materials_.scalars(run, Field::half_pressure);
+      materials_.evaluate_eos(run, materials_.scalars(run, Field::density),
+                              materials_.scalars(run, Field::specific_internal_energy), pressure,
+                              materials_.scalars(run, Field::half_sound_speed));
+      materials_.release(run, materials_.symmetrics(run, Field::deviatoric_stress), pressure);
       run_through(run.range,
                   AssembleHydrodynamic<D, Base::plane_stress>{
                       p.template vectors<D>(Field::position), p.template vectors<D>(Field::velocity),
@@ -204,7 +206,8 @@ class GodunovSplitScheme final : public GodunovScheme<space, Kernel, Hydrodynami
     }
     materials_.for_each_run([&](const Run& run) {
       advance_stress(run, part);
-      materials_.release(run, Field::deviatoric_stress, Field::pressure);
+      materials_.release(run, materials_.symmetrics(run, Field::deviatoric_stress),
+                         materials_.scalars(run, Field::pressure));
     });
     kick_by_deviator(part, false);
     materials_.evaluate_state();

@@ -36,15 +36,15 @@ class LagrangianRings {
     for_each_pair(pairs, RingSums<Kernel, 2>{motion_records_.data(), motion_.data(), offset_.data()});
   }
 
-  /// λ and its rate over λ, from the motion and F, in the records' cofactors, of the middle of a step.
+  /// λ and its rate over λ, from the motion and the records with F and its rate of the middle of a step.
   void stretch(const PairList& pairs, const Mirror<2>& mirror, const Reference& reference,
                const std::vector<MotionRecord<2>>& motion, const std::vector<StressRecord<2>>& records,
-               const Tensor<double, 2>* rate, double* across_rate) {
+               double* across_rate) {
     show(motion_records_, mirror, reference, [&](std::size_t i) {
       return Vector<double, 2>{motion[i].x[0] - reference[i].x[0], motion[i].v[0]};
     });
     for_each_pair(pairs, RingSums<Kernel, 2>{motion_records_.data(), motion_.data(), nullptr});
-    for_each(stretch_.size(), StretchRings{reference.data(), records.data(), rate, motion_.data(), offset_.data(),
+    for_each(stretch_.size(), StretchRings{reference.data(), records.data(), motion_.data(), offset_.data(),
                                            stretch_.data(), across_rate});
   }
 

@@ -67,22 +67,36 @@ class MaterialPasses {
     if (particles_.has(Field::damage)) particles_.allocate(Field::plastic_increment);
   }
 
-  void evaluate_eos(const Run& run, Field density, Field energy, Field pressure, Field sound_speed) const {
+  /// A field of a run's particles, from the first one on: as whatever lives through the passes over that run alone.
+  double* scalars(const Run& run, Field field) const { return particles_.scalars(field) + run.range.begin; }
+  Vector<double, D>* vectors(const Run& run, Field field) const {
+    return particles_.vectors<D>(field) + run.range.begin;
+  }
+  Symmetric<double, D>* symmetrics(const Run& run, Field field) const {
+    return particles_.symmetrics<D>(field) + run.range.begin;
+  }
+  Tensor<double, D>* tensors(const Run& run, Field field) const {
+    return particles_.tensors<D>(field) + run.range.begin;
+  }
+  static Range all_of(const Run& run) { return {0, run.range.size()}; }
+
+  /// Arrays of the run's particles, here and where others are given below.
+  void evaluate_eos(const Run& run, const double* density, const double* energy, double* pressure,
+                    double* sound_speed) const {
     std::visit(
         [&](const auto& eos) {
-          run_through(run.range, EvaluateEos<std::decay_t<decltype(eos)>>{
-                                     eos, particles_.scalars(density), particles_.scalars(energy),
-                                     particles_.scalars(pressure), particles_.scalars(sound_speed)});
+          run_through(all_of(run),
+                      EvaluateEos<std::decay_t<decltype(eos)>>{eos, density, energy, pressure, sound_speed});
         },
         run.material->eos);
-    if (bulking_of(run) > 0.0)
-      run_through(run.range, AddBulking{particles_.scalars(Field::bulking_pressure), particles_.scalars(pressure)});
+    if (bulking_of(run) > 0.0) run_through(all_of(run), AddBulking{scalars(run, Field::bulking_pressure), pressure});
   }
 
   /// Pressure, as far as it is borne, and wave speeds of the present state.
   void evaluate_state(const Run& run) const {
-    evaluate_eos(run, Field::density, Field::specific_internal_energy, Field::pressure, Field::sound_speed);
-    release(run, Field::deviatoric_stress, Field::pressure);
+    evaluate_eos(run, scalars(run, Field::density), scalars(run, Field::specific_internal_energy),
+                 scalars(run, Field::pressure), scalars(run, Field::sound_speed));
+    release(run, symmetrics(run, Field::deviatoric_stress), scalars(run, Field::pressure));
     evaluate_wave_speed(run);
   }
 
@@ -96,45 +110,46 @@ class MaterialPasses {
                                   particles_.scalars(Field::sound_speed), particles_.scalars(Field::wave_speed)});
   }
 
-  void predict_strength(const Run& run, double half_step) const {
+  void predict_strength(const Run& run, double half_step, const Tensor<double, D>* velocity_gradient,
+                        Symmetric<double, D>* half_deviatoric_stress) const {
     std::visit(
         [&](const auto& model) {
-          run_side_by_side(
-              run.range,
-              PredictStrength<std::decay_t<decltype(model)>, D, plane_stress>{
-                  model, particles_.tensors<D>(Field::velocity_gradient), across_rate(),
-                  particles_.scalars(Field::density), particles_.symmetrics<D>(Field::deviatoric_stress),
-                  optional(Field::plastic_strain), optional(Field::temperature), particles_.scalars(Field::pressure),
-                  optional(Field::damage), half_step, particles_.symmetrics<D>(Field::half_deviatoric_stress)});
+          run_side_by_side(all_of(run), PredictStrength<std::decay_t<decltype(model)>, D, plane_stress>{
+                                            model, velocity_gradient, optional(run, Field::across_rate),
+                                            scalars(run, Field::density), symmetrics(run, Field::deviatoric_stress),
+                                            optional(run, Field::plastic_strain), optional(run, Field::temperature),
+                                            scalars(run, Field::pressure), optional(run, Field::damage), half_step,
+                                            half_deviatoric_stress});
         },
         run.material->strength);
   }
 
   /// `density` is that by which the plastic work is counted per mass.
-  void advance_strength(const Run& run, double step, Field density = Field::half_density) const {
+  void advance_strength(const Run& run, double step, const Tensor<double, D>* velocity_gradient,
+                        const double* density) const {
     std::visit(
         [&](const auto& model) {
-          run_side_by_side(
-              run.range,
-              AdvanceStrength<std::decay_t<decltype(model)>, D, plane_stress>{
-                  model, particles_.tensors<D>(Field::velocity_gradient), across_rate(), particles_.scalars(density),
-                  step, particles_.symmetrics<D>(Field::deviatoric_stress), optional(Field::plastic_strain),
-                  optional(Field::plastic_work), optional(Field::temperature), particles_.scalars(Field::pressure),
-                  optional(Field::damage), optional(Field::plastic_increment)});
+          run_side_by_side(all_of(run), AdvanceStrength<std::decay_t<decltype(model)>, D, plane_stress>{
+                                            model, velocity_gradient, optional(run, Field::across_rate), density, step,
+                                            symmetrics(run, Field::deviatoric_stress),
+                                            optional(run, Field::plastic_strain), optional(run, Field::plastic_work),
+                                            optional(run, Field::temperature), scalars(run, Field::pressure),
+                                            optional(run, Field::damage), optional(run, Field::plastic_increment)});
         },
         run.material->strength);
   }
+  void advance_strength(const Run& run, double step, Field density = Field::half_density) const {
+    advance_strength(run, step, tensors(run, Field::velocity_gradient), scalars(run, density));
+  }
 
   /// What a failed particle no longer bears, of a stress and a pressure that were just computed.
-  void release(const Run& run, Field stress, Field pressure) const {
+  void release(const Run& run, Symmetric<double, D>* stress, double* pressure) const {
     const bool damaged = !std::holds_alternative<NoDamage>(run.material->damage);
     const bool keeps_shear = std::visit([](const auto& model) { return model.kind.crushes; }, run.material->strength);
-    if (damaged && !keeps_shear)
-      run_through(run.range, ReleaseShear<D>{particles_.scalars(Field::damage), particles_.symmetrics<D>(stress)});
+    if (damaged && !keeps_shear) run_through(all_of(run), ReleaseShear<D>{scalars(run, Field::damage), stress});
     if (damaged || std::isfinite(run.material->least_pressure))
-      run_through(run.range,
-                  LimitTension{run.material->least_pressure, damaged ? particles_.scalars(Field::damage) : nullptr,
-                               particles_.scalars(pressure)});
+      run_through(all_of(run), LimitTension{run.material->least_pressure,
+                                            damaged ? scalars(run, Field::damage) : nullptr, pressure});
   }
 
   void advance_damage(const Run& run, double step) const {
@@ -197,7 +212,7 @@ class MaterialPasses {
     return std::any_of(runs_.begin(), runs_.end(), [](const Run& run) { return bulking_of(run) > 0.0; });
   }
   double* optional(Field field) const { return particles_.has(field) ? particles_.scalars(field) : nullptr; }
-  const double* across_rate() const { return plane_stress ? particles_.scalars(Field::across_rate) : nullptr; }
+  double* optional(const Run& run, Field field) const { return particles_.has(field) ? scalars(run, field) : nullptr; }
 
   Particles& particles_;
   std::vector<Run> runs_;

@@ -286,10 +286,12 @@ class MsphScheme final : public Scheme {
                                       p.scalars(Field::half_energy)};
     materials_.for_each_run([&](const Run& run) {
       run_through(run.range, middle);
-      materials_.evaluate_eos(run, Field::half_density, Field::half_energy, Field::half_pressure,
-                              Field::half_sound_speed);
-      materials_.release(run, Field::deviatoric_stress,
-                         Field::half_pressure);  // or tension that is not borne does work
+      double* const pressure = materials_.scalars(run, Field::half_pressure);
+      materials_.evaluate_eos(run, materials_.scalars(run, Field::half_density),
+                              materials_.scalars(run, Field::half_energy), pressure,
+                              materials_.scalars(run, Field::half_sound_speed));
+      materials_.release(run, materials_.symmetrics(run, Field::deviatoric_stress),
+                         pressure);  // or tension that is not borne does work
       run_through(run.range,
                   MsphAdvance<D, hoops>{middle, p.scalars(Field::half_pressure), anvil_,
                                         p.template vectors<D>(Field::position), p.template vectors<D>(Field::velocity),

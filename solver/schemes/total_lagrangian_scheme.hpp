@@ -14,6 +14,7 @@
 #include "passes/least_stretch.hpp"
 #include "schemes/converter.hpp"
 #include "schemes/eulerian_part.hpp"
+#include "schemes/half_state.hpp"
 #include "schemes/hold_still.hpp"
 #include "schemes/hourglass_control.hpp"
 #include "schemes/interface_forces.hpp"
@@ -58,9 +59,10 @@ class TotalLagrangianScheme final : public Scheme {
     auto& p = particles_;
     for (const auto field :
          {Field::pressure, Field::sound_speed, Field::wave_speed, Field::viscous_work, Field::acceleration,
-          Field::velocity_gradient, Field::viscous_power, Field::viscous_signal, Field::reference_position,
-          Field::reference_volume, Field::kernel_type, Field::least_stretch})
+          Field::viscous_power, Field::viscous_signal, Field::reference_position, Field::reference_volume,
+          Field::kernel_type, Field::least_stretch})
       p.allocate(field);
+    if (eulerian_) p.allocate(Field::velocity_gradient);
     if (!p.has(Field::specific_internal_energy)) p.allocate(Field::specific_internal_energy);
     order_in_space<D>(p, support());
     std::ranges::copy(p.reals(Field::position), p.reals(Field::reference_position).begin());
@@ -71,7 +73,7 @@ class TotalLagrangianScheme final : public Scheme {
     if (eulerian_) eulerian_->start();
     if (contact_) contact_->start();
     materials_.evaluate_state();
-    evaluate_rates(0.0);
+    evaluate_rates(0.0, false);
   }
 
   void restore(const std::map<std::string, double>& state) override {
@@ -92,7 +94,7 @@ class TotalLagrangianScheme final : public Scheme {
       if (contact_) contact_->prepare(dt, false);
       if (eulerian_) eulerian_->prepare(dt);
     }
-    evaluate_rates(dt);
+    evaluate_rates(dt, true);
     anvil_.stop(particles_, dt);
     advance(dt);
     anvil_.rest(particles_);
@@ -134,9 +136,9 @@ class TotalLagrangianScheme final : public Scheme {
 
   /// Everything that follows from the reference configuration alone.
   void prepare() {
-    for (const auto field : {Field::half_density, Field::half_energy, Field::half_pressure, Field::half_sound_speed,
-                             Field::half_deviatoric_stress})
-      particles_.allocate(field);
+    for (const auto field : {Field::half_density, Field::half_power, Field::growth_rate}) particles_.allocate(field);
+    // Rings, and Eulerian particles, whose L is known after the forces only, read the half state later.
+    if (rings || eulerian_) HalfState<D>::allocate(particles_);
     if constexpr (rings) particles_.allocate(Field::across_rate);
     materials_.allocate_scratch();
     const bool all_listed = settings_.corrected || eulerian_ || rings;
@@ -222,7 +224,7 @@ class TotalLagrangianScheme final : public Scheme {
     eulerian_->renew();
   }
 
-  void evaluate_rates(double dt) {
+  void evaluate_rates(double dt, bool advances) {
     const double half_step = 0.5 * dt;
     auto& p = particles_;
     {
@@ -238,17 +240,16 @@ class TotalLagrangianScheme final : public Scheme {
     }
     {
       const auto scope = profile_.time("deformation");
-      auto* const rate = p.template tensors<D>(Field::velocity_gradient);  // becomes L in `evaluate_stress`
-      sweep([this, rate]<bool corrected, class Records>(const Records& records) {
-        return DeformationSums<Kernel, D, corrected, Records>{
-            {records, reference_.data(), corrections_.data()}, stress_.data(), rate};
+      sweep([this]<bool corrected, class Records>(const Records& records) {
+        return DeformationSums<Kernel, D, corrected, Records>{{records, reference_.data(), corrections_.data()},
+                                                              stress_.data()};
       });
       if constexpr (rings)
-        rings_.stretch(neighbours_.pairs(), mirror_, reference_, motion_, stress_, rate, p.scalars(Field::across_rate));
+        rings_.stretch(neighbours_.pairs(), mirror_, reference_, motion_, stress_, p.scalars(Field::across_rate));
     }
     {
       const auto scope = profile_.time("stress");
-      materials_.for_each_run([&](const auto& run) { evaluate_stress(run, half_step); });
+      materials_.for_each_run([&](const auto& run) { evaluate_stress(run, dt, advances); });
       mirror_.fill(stress_, p.count());
       neighbours_.fill(stress_);
       if (settings_.corrected) {
@@ -302,49 +303,62 @@ class TotalLagrangianScheme final : public Scheme {
 
   using Run = typename MaterialPasses<D, rings>::Run;
 
-  /// Stress in the middle of a step, from the deformation there.
-  void evaluate_stress(const Run& run, double half_step) {
-    auto& p = particles_;
-    run_through(run.range,
-                Deform<D, rings>{reference_.data(), p.scalars(Field::mass), p.scalars(Field::reference_volume),
-                                 p.scalars(Field::density), p.scalars(Field::specific_internal_energy),
-                                 p.scalars(Field::pressure), p.template symmetrics<D>(Field::deviatoric_stress),
-                                 p.scalars(Field::viscous_power), rings_.stretch_of_each(), across_rate(), half_step,
-                                 stress_.data(), converts() ? deformation_.data() : nullptr,
-                                 p.template tensors<D>(Field::velocity_gradient), p.scalars(Field::half_density),
-                                 p.scalars(Field::half_energy)});
-    run_through(run.range,
-                FindLeastStretch<D>{reference_.data(), stress_.data(), p.scalars(Field::least_stretch), !eulerian_});
-    materials_.evaluate_eos(run, Field::half_density, Field::half_energy, Field::half_pressure,
-                            Field::half_sound_speed);
-    materials_.predict_strength(run, half_step);
-    materials_.release(run, Field::half_deviatoric_stress, Field::half_pressure);
-    run_through(run.range, AssembleStress<D>{p.template symmetrics<D>(Field::half_deviatoric_stress),
-                                             p.scalars(Field::half_pressure), p.scalars(Field::half_density),
-                                             p.scalars(Field::half_sound_speed), stress_.data()});
-    if constexpr (rings) rings_.turn_stress(p, run.range, reference_, stress_);
+  /// Stress in the middle of a step of dt, from the deformation there, and if the step `advances` at its end too: of
+  /// total-Lagrangian particles nothing that comes later changes it, and L need not be kept.
+  void evaluate_stress(const Run& run, double dt, bool advances) {
+    const double half_step = 0.5 * dt;
+    const auto& m = materials_;
+    const auto all = m.all_of(run);
+    const auto first = run.range.begin;
+    const auto* const reference = reference_.data() + first;
+    auto* const records = stress_.data() + first;
+    double* const density = m.scalars(run, Field::half_density);
+    const HalfState<D> half(particles_, run.range);
+    run_through(
+        all, Deform<D, rings>{reference, m.scalars(run, Field::mass), m.scalars(run, Field::reference_volume),
+                              m.scalars(run, Field::density), m.scalars(run, Field::specific_internal_energy),
+                              m.scalars(run, Field::pressure), m.symmetrics(run, Field::deviatoric_stress),
+                              m.scalars(run, Field::viscous_power), rings ? rings_.stretch_of_each() + first : nullptr,
+                              across_rate(run), half_step, records, converts() ? deformation_.data() + first : nullptr,
+                              half.velocity_gradient, density, half.energy});
+    run_through(all, FindLeastStretch<D>{reference, records, m.scalars(run, Field::least_stretch), !eulerian_});
+    m.evaluate_eos(run, density, half.energy, half.pressure, half.sound_speed);
+    m.predict_strength(run, half_step, half.velocity_gradient, half.deviatoric_stress);
+    m.release(run, half.deviatoric_stress, half.pressure);
+    run_through(all, AssembleStress<D>{half.deviatoric_stress, half.pressure, density, half.sound_speed, records});
+    if constexpr (rings) rings_.turn_stress(particles_, run.range, reference_, stress_);
+    if (!eulerian_) {
+      find_power(run, half);
+      if (advances) m.advance_strength(run, dt, half.velocity_gradient, density);
+    }
     if (settings_.corrected)
-      run_through(run.range,
-                  WeighStress<D, true>{reference_.data(), corrections_.data(), stress_.data(), shift_.data()});
+      run_through(all, WeighStress<D, true>{reference, corrections_.data() + first, records, shift_.data() + first});
     else
-      run_through(run.range, WeighStress<D, false>{reference_.data(), nullptr, stress_.data(), nullptr});
+      run_through(all, WeighStress<D, false>{reference, nullptr, records, nullptr});
   }
 
-  double* across_rate() { return rings ? particles_.scalars(Field::across_rate) : nullptr; }
+  void find_power(const Run& run, const HalfState<D>& half) {
+    const auto& m = materials_;
+    run_through(m.all_of(run), PowerAndGrowth<D, rings>{half.deviatoric_stress, half.pressure, half.velocity_gradient,
+                                                        across_rate(run), m.scalars(run, Field::half_power),
+                                                        m.scalars(run, Field::growth_rate)});
+  }
+
+  double* across_rate(const Run& run) { return rings ? materials_.scalars(run, Field::across_rate) : nullptr; }
 
   void advance(double dt) {
     const auto scope = profile_.time("advance");
     auto& p = particles_;
     materials_.for_each_run([&](const auto& run) {
+      if (eulerian_) find_power(run, HalfState<D>(p, run.range));  // the L of Eulerian particles is new
       run_through(run.range,
-                  AdvanceLagrangianMotion<D, rings>{
-                      reference_.data(), motion_.data(), p.template symmetrics<D>(Field::half_deviatoric_stress),
-                      p.scalars(Field::half_pressure), p.scalars(Field::half_density),
-                      p.template vectors<D>(Field::acceleration), p.template tensors<D>(Field::velocity_gradient),
-                      p.scalars(Field::viscous_power), across_rate(), dt, p.template vectors<D>(Field::position),
+                  AdvanceLagrangianMotion<D>{
+                      reference_.data(), motion_.data(), p.scalars(Field::half_power), p.scalars(Field::growth_rate),
+                      p.scalars(Field::half_density), p.template vectors<D>(Field::acceleration),
+                      p.scalars(Field::viscous_power), dt, p.template vectors<D>(Field::position),
                       p.template vectors<D>(Field::velocity), p.scalars(Field::density),
                       p.scalars(Field::specific_internal_energy), p.scalars(Field::viscous_work)});
-      materials_.advance_strength(run, dt);
+      if (eulerian_) materials_.advance_strength(run, dt);
       materials_.advance_damage(run, dt);
       materials_.evaluate_state(run);
     });

@@ -145,8 +145,8 @@ Particles LatticeBlock::make_particles(const RunSettings& settings, const Lattic
   const auto number = static_cast<std::size_t>(across) * static_cast<std::size_t>(2 * rows + 1);
   Particles particles(space, {{"block", state.material, spacing, {0, number}}});
   for (const auto field : {Field::id, Field::position, Field::velocity, Field::mass, Field::density,
-                           Field::smoothing_length, Field::kernel_type})
-    particles.allocate(field);
+                           Field::smoothing_length, Field::kernel_type, Field::velocity_gradient})
+    particles.allocate(field);  // the last, which a scheme may do without, for the strains that it sees
   std::iota(particles.integers(Field::id).begin(), particles.integers(Field::id).end(), 0);
   const double density = materials_.at(state.material).density;
   const int dimensions = dimensions_of(space);

@@ -30,6 +30,7 @@ Strained drawn_strip(const std::string& scheme, int rows) {
       particles_on(Space::plane_strain, {{"strip", "metal", spacing, {0.0, 0.0}, {length, rows}, {0.0, 0.0}}}, density);
   for (std::size_t i = 0; i < particles.count(); ++i)
     particles.reals(Field::velocity)[2 * i] = rate * particles.reals(Field::position)[2 * i];
+  particles.allocate(Field::velocity_gradient);  // which a scheme may do without
   auto simulation = simulation_of("time.end = 1.0\n" + scheme + metal, std::move(particles));
   simulation.step();
   const auto l = by_id(simulation.particles(), Field::velocity_gradient);

@@ -47,17 +47,15 @@ Particles round_body() {
 template <int D>
 struct Outcome {
   std::vector<StressRecord<D>> deformed;
-  std::vector<Tensor<double, D>> rate;
   std::vector<Vector<double, D>> acceleration;
   std::vector<double> power, signal;
 
-  explicit Outcome(std::size_t count)
-      : deformed(count), rate(count), acceleration(count), power(count), signal(count) {}
+  explicit Outcome(std::size_t count) : deformed(count), acceleration(count), power(count), signal(count) {}
 
   std::vector<double> numbers(std::size_t i) const {
     std::vector<double> all{power[i], signal[i]};
     all.insert(all.end(), std::begin(deformed[i].cofactor.c), std::end(deformed[i].cofactor.c));
-    all.insert(all.end(), std::begin(rate[i].c), std::end(rate[i].c));
+    all.insert(all.end(), std::begin(deformed[i].stress.c), std::end(deformed[i].stress.c));
     all.insert(all.end(), std::begin(acceleration[i].c), std::end(acceleration[i].c));
     return all;
   }
@@ -128,8 +126,8 @@ class State {
  private:
   template <bool corrected, class Records>
   auto deformation(const Records& records, Outcome<D>& to) const {
-    return DeformationSums<CubicSpline, D, corrected, Records>{
-        {records, reference_.data(), corrections_.data()}, to.deformed.data(), to.rate.data()};
+    return DeformationSums<CubicSpline, D, corrected, Records>{{records, reference_.data(), corrections_.data()},
+                                                               to.deformed.data()};
   }
   template <bool corrected, class Records>
   auto forces(const Records& records, Outcome<D>& to) const {

@@ -70,13 +70,11 @@ class Reference {
     const auto count = records_.size();
     std::vector<MotionRecord<D>> motion(count);
     std::vector<StressRecord<D>> deformed(count);
-    std::vector<Tensor<double, D>> rate(count);
     for (std::size_t i = 0; i < count; ++i) motion[i] = {times(a, records_[i].x), times(b, records_[i].x)};
     for_each_pair(pairs_, DeformationSums<CubicSpline, D, true, ListedRecords<D>>{
                               {{records_.data(), motion.data(), nullptr}, records_.data(), corrections_.data()},
-                              deformed.data(),
-                              rate.data()});
-    for (std::size_t i = 0; i < count; ++i) body(deformed[i].cofactor, rate[i]);
+                              deformed.data()});
+    for (std::size_t i = 0; i < count; ++i) body(deformed[i].cofactor, deformed[i].stress);
   }
 
   const PairList& pairs() const { return pairs_; }
