@@ -17,7 +17,8 @@ constexpr std::int64_t least_steps = 5;
 /// What the files for ParaView keep of the fields' bytes when they are packed: 0.70 to 0.79 in runs of hvi_2d,
 /// debris_3d, collapsing_ring and taylor_bar.
 constexpr double packing = 0.75;
-/// Of memory, bytes: the first snapshot takes so much beside the particles, 1.8 to 2.0 MB in five examples.
+/// Of memory, bytes: the first snapshot takes so much beside the particles and their copy, 1.8 to 2.0 MB in five
+/// examples.
 constexpr double writing = 1.9e6;
 /// Of a number in history.csv with its comma: 15 to 17 characters in the same runs.
 constexpr double characters = 16.0;
@@ -68,10 +69,10 @@ Forecast forecast_of(Simulation& simulation, const std::vector<Meeting>& meeting
   forecast.steps = simulation.steps() + static_cast<std::int64_t>(std::ceil(left / dt));
   forecast.seconds = static_cast<double>(forecast.steps) * seconds;
 
-  forecast.memory_bytes = static_cast<double>(peak_memory()) + writing;
   forecast.bytes_per_particle =
       static_cast<double>(particles.memory() + simulation.scheme().memory()) / static_cast<double>(particles.count());
   forecast.snapshot_bytes = bytes_of_fields(particles, false);
+  forecast.memory_bytes = static_cast<double>(peak_memory()) + writing + forecast.snapshot_bytes;  // and its copy
   const double snapshots = 1.0 + std::ceil(settings.end / settings.snapshot_interval);
   const double shown = packing * bytes_of_fields(particles, true);
   const auto columns =

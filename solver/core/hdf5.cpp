@@ -11,9 +11,9 @@ namespace tektite::hdf5 {
 namespace {
 
 /// HDF5 prints its own error stack by default; faults are told by us. At the end of a program it would close once more,
-/// and crash on, a file that it could not write; ours are closed by their handles.
+/// and crash on, a file that it could not write; ours are closed by their handles. Each thread has an error stack.
 void quiet() {
-  static const bool done = [] {
+  static thread_local const bool done = [] {
     H5dont_atexit();
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
     return true;

@@ -20,6 +20,7 @@
 #include "output/log.hpp"
 #include "output/probes.hpp"
 #include "output/progress.hpp"
+#include "output/snapshot_writer.hpp"
 #include "output/summary.hpp"
 #include "parallel/threads.hpp"
 #include "run/angular_momentum.hpp"
@@ -92,6 +93,7 @@ class Run {
       for (const auto& line : probes_.in_words(particles)) log_->info("  {}", line);
       write_history();
       write_snapshot();
+      finish_snapshot();  // where it cannot be written nothing needs to be computed
     } else {
       last_snapshot_ = origin.file;
       ledger_ = simulation_.ledger();  // what progress shows before the next line
@@ -104,6 +106,7 @@ class Run {
       simulation_.step();
       write_history();
       show_progress();
+      if (writer_.busy() && !writer_.at_work()) finish_snapshot();
       if (snapshot_due() || over()) {
         look();  // before the snapshot, which keeps what has been told
         write_snapshot();
@@ -111,8 +114,18 @@ class Run {
     }
     progress_.clear();
     if (!over()) write_snapshot();
+    finish_snapshot();
     finish();
     return over();
+  }
+
+  /// What a failed run waits for, before it is told which snapshot is the last.
+  void settle() {
+    try {
+      finish_snapshot();
+    } catch (const RunError& fault) {
+      note(fault);
+    }
   }
 
   /// Keeps the reason why a run failed in run.log; a disk that is full keeps nothing.
@@ -159,19 +172,26 @@ class Run {
     return std::floor(simulation_.time() / interval) > std::floor(before / interval);
   }
 
+  /// Begins to; finish_snapshot() ends it.
   void write_snapshot() {
+    finish_snapshot();
     std::map<std::string, double> state;
     probes_.save(state);
     stops_.save(state);
     watch_.save(state);
-    history_.bring_to_disk();  // it must reach as far as the snapshot
-    const auto path = snapshot_path(folder_, simulation_.steps());
-    tektite::write_snapshot(simulation_.save(state), path);
-    last_snapshot_ = path;
+    begun_ = {snapshot_path(folder_, simulation_.steps()), simulation_.time(), simulation_.steps()};
+    writer_.start(simulation_.save(state), begun_.path, history_);
+  }
+
+  /// Waits for the snapshot that is being written, if there is one.
+  void finish_snapshot() {
+    if (!writer_.busy()) return;
+    writer_.finish();
+    last_snapshot_ = begun_.path;
     if (!stopgap_.empty() && stopgap_ != last_snapshot_) fs::remove(stopgap_);
     stopgap_.clear();
     progress_.clear();
-    log_->info("  t = {:<9} step {:<7} {}", shown_time(simulation_.time()), simulation_.steps(), last_snapshot_);
+    log_->info("  t = {:<9} step {:<7} {}", shown_time(begun_.time), begun_.step, begun_.path);
   }
 
   void look() { tell(watch_.look(simulation_.particles(), simulation_.settings(), simulation_.scheme().warnings())); }
@@ -225,6 +245,12 @@ class Run {
   Ledger ledger_;
   std::string last_snapshot_;  ///< that is whole
   std::string stopgap_;        ///< written because a run was interrupted: an unbroken run has none
+  struct {
+    std::string path;
+    double time;
+    std::int64_t step;
+  } begun_;                ///< what is being written
+  SnapshotWriter writer_;  ///< stands last: it is waited for before anything else goes
 };
 
 Document scene_of(const Snapshot& snapshot, const std::string& file) {
@@ -251,6 +277,7 @@ bool end_of(Run& run) {
     return run.to_the_end();
   } catch (const RunError& fault) {
     run.note(fault);
+    run.settle();
     throw RunError(fmt::format("{}\n  the last good snapshot is {}", fault.what(), run.last_snapshot()));
   }
 }
