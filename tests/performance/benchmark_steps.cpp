@@ -2,7 +2,8 @@
 //
 // FILE is an initial state or a snapshot in the middle of a run. Every iteration takes ten steps, on one thread and on
 // two; items are particle-steps per second of real time, and those per second of processor time and thread stand beside
-// them, which other programs on the machine disturb less. What the machine can do at most is measured first.
+// them, which other programs on the machine disturb less. What the machine can do at most is measured first; a table of
+// all that ends the output.
 
 #include <benchmark/benchmark.h>
 
@@ -12,8 +13,11 @@
 
 #include "core/program.hpp"
 #include "machine_limits.hpp"
+#include "neighbours.hpp"
+#include "pair_operations.hpp"
 #include "parallel/threads.hpp"
 #include "run/simulation.hpp"
+#include "table.hpp"
 
 namespace {
 
@@ -31,6 +35,7 @@ void take_steps(benchmark::State& state, const std::string& file) {
   constexpr int steps = 10;
   use_threads(static_cast<int>(state.range(0)));
   auto simulation = load(file);
+  const double neighbours = mean_neighbours(simulation.particles());
   const std::clock_t start = std::clock();
   for (auto _ : state)
     for (int k = 0; k < steps; ++k) simulation.step();
@@ -39,6 +44,8 @@ void take_steps(benchmark::State& state, const std::string& file) {
   state.SetItemsProcessed(state.iterations() * steps * static_cast<std::int64_t>(particles));
   state.counters["per_core"] = static_cast<double>(state.items_processed()) / processor_seconds;
   state.counters["particles"] = static_cast<double>(particles);
+  state.counters["neighbours"] = neighbours;
+  state.counters["operations"] = neighbours * pair_operations(simulation.settings());
   state.counters["bytes_per_particle"] =
       static_cast<double>(simulation.particles().memory() + simulation.scheme().memory()) /
       static_cast<double>(particles);
@@ -51,8 +58,8 @@ int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   return run_program("benchmark_steps", [&] {
     if (argc < 2) throw InputError("no particle file is named");
-    benchmark::RegisterBenchmark("machine/multiply and add", multiply_and_add);
-    benchmark::RegisterBenchmark("machine/stream", stream);
+    benchmark::RegisterBenchmark(multiplications, multiply_and_add);
+    benchmark::RegisterBenchmark(memory, stream);
     for (int k = 1; k < argc; ++k) {
       const std::string file = argv[k];
       const auto name = std::filesystem::path(file).parent_path().filename().string() + "/" +
@@ -64,7 +71,9 @@ int main(int argc, char** argv) {
           ->UseRealTime()
           ->Unit(benchmark::kMillisecond);
     }
-    benchmark::RunSpecifiedBenchmarks();
+    Table table;
+    benchmark::RunSpecifiedBenchmarks(&table);
+    table.print();
     return int{exit_done};
   });
 }
