@@ -82,6 +82,8 @@ void write_measurements(const Report& report, const RunFolder& run, const std::s
 }
 
 std::string comparison_table(const Report& report, const RunFolder& run) {
+  if (report.references.empty() && report.measurements.empty() && report.missing.empty())
+    return "nothing measured: the scene has no [measure.NAME]\n";
   std::string table =
       fmt::format(fmt::runtime(row), "measure", "ours", "uncertainty", "published", "difference", "", "source");
   for (const auto& reference : report.references)

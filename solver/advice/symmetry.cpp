@@ -75,6 +75,15 @@ class Twins {
     });
   }
 
+  /// Whether nothing turns about the axis: spaces about an axis know no such motion.
+  bool without_spin(int a, int b) const {
+    return everyone([&](std::size_t i, const Body&) {
+      const double xa = positions_[i][a] - middle_[a], xb = positions_[i][b] - middle_[b];
+      const auto& v = velocities_[i];
+      return std::abs(xa * v[b] - xb * v[a]) <= same_number * speed_ * std::hypot(xa, xb);
+    });
+  }
+
   /// About how many particles the section has.
   double section(int a, int b) const {
     double sum = 0.0;
@@ -149,7 +158,8 @@ std::vector<Revolution> revolutions_in(const Particles& particles, const std::ve
   for (int axis = D == 2 ? 2 : 0; axis < 3; ++axis) {
     const int a = (axis + 1) % 3, b = (axis + 2) % 3;
     if (is_taken(taken, a) || is_taken(taken, b)) continue;
-    if (std::ranges::all_of(angles, [&](double angle) { return twins.turned(a, b, angle); }))
+    if (twins.without_spin(a, b) &&
+        std::ranges::all_of(angles, [&](double angle) { return twins.turned(a, b, angle); }))
       found.push_back({axis, twins.section(a, b)});
   }
   return found;

@@ -87,6 +87,10 @@ TEST_CASE("Files: the table and measurements.json tell the same difference from 
   CHECK_THAT(comparison_table(report, run), Catch::Contains("+20.0 %"));
 }
 
+TEST_CASE("Files: a scene without measures is told so in place of an empty table") {
+  CHECK(comparison_table({}, {}) == "nothing measured: the scene has no [measure.NAME]\n");
+}
+
 TEST_CASE("Files: each snapshot becomes a VTU, the collection and the fragments are there") {
   const TemporaryFolder folder;
   write_run(folder);
