@@ -14,13 +14,15 @@ namespace po = boost::program_options;
 CommandLine command_line() {
   CommandLine line;
   line.usage =
-      "tektite-solve DIR [--resume] [--threads N] [--trap-floating-point]\n       tektite-solve --check FILE.h5 "
+      "tektite-solve DIR [--resume [--end TIME]] [--threads N] [--trap-floating-point]\n       tektite-solve --check "
+      "FILE.h5 "
       "[--advice FILE]\n"
       "       tektite-solve --stability STUDY.toml -o DIR";
   line.about =
       "Computes the run whose initial particles are DIR/particles.h5; leaves DIR/snapshots/*.h5, DIR/history.csv,\n"
       "DIR/solve.json and DIR/run.log.";
   line.options.add_options()("resume", "go on from the newest snapshot")(
+      "end", po::value<std::string>()->value_name("TIME")->default_value({}, ""), "with --resume: a new time.end")(
       "threads", po::value<int>()->value_name("N")->default_value(0),
       "threads to use (0: all processors, if each has five hundred particles)")(
       "check", po::value<std::string>()->value_name("FILE.h5"),
@@ -57,8 +59,10 @@ int solve(int argc, const char* const* argv) {
     return exit_done;
   }
   if (!values.contains("folder")) throw InputError("the folder of the run is missing; see --help");
-  const RunOptions options{text("folder"), values.contains("resume"), threads, values["lock"].as<int>(),
-                           values.contains("trap-floating-point")};
+  if (!text("end").empty() && !values.contains("resume"))
+    throw InputError("--end goes with --resume; a run that starts takes time.end of its scene");
+  const RunOptions options{text("folder"), values.contains("resume"), text("end"),
+                           threads,        values["lock"].as<int>(),  values.contains("trap-floating-point")};
   return run(options) ? exit_done : exit_failed;
 }
 

@@ -139,7 +139,7 @@ Document Document::load(const std::string& path, const std::string& variant, con
                       document.variants_.empty() ? "this scene has none" : join(document.variants_)});
   if (chosen) document.lay_over(*document.table_, *chosen, "", overlay_path(0));
   document.variant_ = variant;
-  for (const auto& setting : settings) document.set(setting);
+  for (const auto& setting : settings) document.set(setting, "--set " + setting);
   return document;
 }
 
@@ -196,9 +196,9 @@ void Document::lay_over(toml::table& base, const toml::table& over, const std::s
   }
 }
 
-void Document::set(const std::string& setting) {
+void Document::set(const std::string& setting, const std::string& option) {
   const auto equals = setting.find('=');
-  const InputFault fault{{"--set " + setting, 0}, {}, {}, "not a setting", "KEY=VALUE, such as scheme.courant=0.2"};
+  const InputFault fault{{option, 0}, {}, {}, "not a setting", "KEY=VALUE, such as scheme.courant=0.2"};
   if (equals == std::string::npos || equals == 0 || setting.find('\n') != std::string::npos) throw InputError(fault);
   const auto key = setting.substr(0, equals);
   const auto value = setting.substr(equals + 1);

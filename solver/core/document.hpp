@@ -55,6 +55,9 @@ class Document {
   /// which the text does not tell where it came from.
   static Document parse(std::string_view text, const std::string& origin);
 
+  /// Lays one more "KEY=VALUE" over it; `option` is what messages name as its place. Throws InputError.
+  void set(const std::string& setting, const std::string& option);
+
   Section root();
   std::vector<std::string> variants() const { return variants_; }
   /// The variant that is laid over; empty where there is none.
@@ -68,7 +71,6 @@ class Document {
   friend class Section;
   void remember(const toml::node& node, const std::string& path, const std::string& file);
   void lay_over(toml::table& base, const toml::table& over, const std::string& path, const std::string& over_path);
-  void set(const std::string& setting);
 
   std::shared_ptr<toml::table> table_;
   std::map<std::string, Place> places_;

@@ -72,7 +72,8 @@ Origin find_origin(const RunOptions& options) {
 /// The run with everything that it writes.
 class Run {
  public:
-  Run(const fs::path& folder, const Origin& origin, const RunTimer& timer, Simulation& simulation)
+  /// Who goes on with a run `beyond` its end keeps the snapshot of that.
+  Run(const fs::path& folder, const Origin& origin, const RunTimer& timer, Simulation& simulation, bool beyond)
       : folder_(folder),
         resumed_(origin.snapshot),
         timer_(timer),
@@ -97,7 +98,7 @@ class Run {
     } else {
       last_snapshot_ = origin.file;
       ledger_ = simulation_.ledger();  // what progress shows before the next line
-      if (!over() && !snapshot_due()) stopgap_ = origin.file;
+      if (!over() && !snapshot_due() && !beyond) stopgap_ = origin.file;
     }
   }
 
@@ -271,6 +272,16 @@ RunSettings settings_of(const Snapshot& snapshot, const std::string& file, Docum
   return settings;
 }
 
+/// Throws InputError where the run is beyond its new end already.
+void check_end(const Simulation& simulation, const RunOptions& options) {
+  if (simulation.time() > simulation.end())
+    throw InputError({{"--end " + options.end, 0},
+                      {},
+                      {},
+                      fmt::format("the newest snapshot is at t = {}", shown_time(simulation.time())),
+                      "a later time"});
+}
+
 /// True where the run came to its end; a failure is kept in its log.
 bool end_of(Run& run) {
   try {
@@ -293,6 +304,7 @@ bool run(const RunOptions& options) {
   auto snapshot = read_snapshot(origin.file);
   use_threads(options.threads, snapshot.particles.count());
   auto document = scene_of(snapshot, origin.file);
+  if (!options.end.empty()) document.set("time.end=" + options.end, "--end " + options.end);
   auto settings = settings_of(snapshot, origin.file, document);
   snapshot.scene = document.text();
   remove_parts_of_snapshots(options.folder);
@@ -304,7 +316,8 @@ bool run(const RunOptions& options) {
   try {
     Simulation simulation(std::move(snapshot), std::move(settings), origin.snapshot);
     check_probed_fields(document, simulation.settings(), simulation.particles());
-    Run run(options.folder, origin, timer, simulation);
+    if (!options.end.empty()) check_end(simulation, options);
+    Run run(options.folder, origin, timer, simulation, !options.end.empty());
     return end_of(run);
   } catch (const MissingNumber& missing) {
     throw InputError({{origin.file, 0}, missing.what(), {}, "is missing", "a snapshot of this scene, whole"});

@@ -250,6 +250,41 @@ const std::vector<std::string> stopped_runs{
     "stop_when.kinetic-energy-steady={during='0.3 us', tolerance=0.05}",
     "stop_when.reach={type='steady', column='front.position_x', during='0.2 us', tolerance=0.02}"};
 
+TEST_CASE("Resume: a run goes on to another end, as if it had been that from the start; what came to its end stays") {
+  const SmallRun small("eulerian");
+  const auto unbroken = small.unbroken();
+  const SmallRun shorter("eulerian", {"time.end=1.01 us"});
+  shorter.fill("run");
+  REQUIRE(shorter.program(shorter.solving("run")).code == 0);
+  const auto to_the_end = [&](const std::string& end) {
+    auto words = shorter.resuming("run");
+    words.insert(words.end(), {"--end", end});
+    return shorter.program(words);
+  };
+
+  const auto refused = to_the_end("0.5 us");
+  CHECK(refused.code == 2);
+  CHECK_THAT(refused.faults, Contains("--end 0.5 us") && Contains("t = 1.01"));
+  CHECK_THAT(to_the_end("soon").faults, Contains("--end soon") && Contains("time.end"));
+
+  const auto first_end = tektite::snapshot_files(shorter.folder("run")).back();
+  SECTION("from its end") {
+    CHECK(to_the_end("3 us").code == 0);
+    CHECK(fs::exists(first_end));
+    CHECK(tektite::read_snapshot(tektite::snapshot_files(shorter.folder("run")).back()).time() == Approx(3e-6));
+    shorter.measure("run");
+    CHECK_THAT(left_in(shorter.folder("run")).measurements, Contains("peak_pressure"));
+  }
+  SECTION("from before its end") {
+    fs::remove(first_end);
+    CHECK(to_the_end("3 us").code == 0);
+    shorter.measure("run");
+    CHECK(left_in(shorter.folder("run")).history == unbroken.history);
+    CHECK(left_in(shorter.folder("run")).snapshots == unbroken.snapshots);
+    CHECK(left_in(shorter.folder("run")).measurements == unbroken.measurements);
+  }
+}
+
 TEST_CASE("Stopped: a condition ends a run at the same step on any number of threads and where it was killed before") {
   const auto condition = GENERATE(from_range(stopped_runs));
   INFO(condition);
