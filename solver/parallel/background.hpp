@@ -1,6 +1,7 @@
 #pragma once
 // One piece of work beside the computation, on a thread of its own.
 
+#include <chrono>
 #include <csignal>
 #include <functional>
 #include <future>
@@ -9,6 +10,14 @@ namespace tektite {
 
 class Background {
  public:
+  Background() = default;
+  Background(const Background&) = delete;
+  Background& operator=(const Background&) = delete;
+  /// Waits until it is done.
+  ~Background() {
+    if (busy()) work_.wait();
+  }
+
   /// Begins; what was begun before has been finished. Where the system has no thread to give, finish() does the work.
   void start(const std::function<void()>& work) {
     // The signals that end a run go to the thread that computes: they would cut this one's writing short.
@@ -31,7 +40,7 @@ class Background {
   }
 
  private:
-  std::future<void> work_;  ///< waits where it ends
+  std::future<void> work_;
 };
 
 }  // namespace tektite

@@ -58,6 +58,40 @@ TEST_CASE("Disk: a snapshot for which there is no room is an error, and no half 
   CHECK(small.program(small.resuming("full")).code == 0);
 }
 
+TEST_CASE("Disk: a snapshot that fails while the run goes on ends it, is told once, and the run is resumed") {
+  const SmallRun small("eulerian", {"time.end=15 us"});
+  const auto whole = small.unbroken();
+  small.fill("run");
+  const auto snapshots = small.folder("run/snapshots"), kept = small.folder("run/kept");
+  std::ofstream(kept) << "in the way";
+  // In the midst of the run the file takes the place of their folder, and the folder that of the file.
+  const auto exchange = [&] {
+    return ::renameat2(AT_FDCWD, snapshots.c_str(), AT_FDCWD, kept.c_str(), RENAME_EXCHANGE) == 0;
+  };
+  std::thread fault([&] {
+    comes_about([&] { return tektite::snapshot_files(small.folder("run")).size() >= 3; });
+    exchange();
+  });
+  const auto outcome = small.program(small.solving("run"));
+  fault.join();
+  INFO(outcome.faults);
+  CHECK(outcome.code == 1);
+  CHECK_THAT(outcome.faults, StartsWith("tektite-solve: error: run/snapshots") && Contains("cannot be"));
+  CHECK(std::count(outcome.faults.begin(), outcome.faults.end(), '\n') == 2);
+  CHECK_THAT(outcome.output, !Contains("cannot be"));
+  CHECK_THAT(content_of(small.folder("run/run.log")), Contains("run/snapshots") && Contains("cannot be"));
+  const std::string told = "the last good snapshot is run/snapshots/";
+  const auto at = outcome.faults.find(told);
+  REQUIRE(at != std::string::npos);
+  const auto name = outcome.faults.substr(at + told.size(), std::string("000000.h5").size());
+  CHECK_NOTHROW(tektite::read_snapshot(kept + "/" + name));
+  REQUIRE(exchange());
+  fs::remove(kept);
+  REQUIRE(small.program(small.resuming("run")).code == 0);
+  small.measure("run");
+  CHECK((left_in(small.folder("run")) == whole));
+}
+
 /// Runs the small scene on a file system of its own that takes no more than this, has it resumed where there is room
 /// and copies what is left then to `after`. The exit code is that of the run; 77 where nothing can be mounted.
 Outcome run_on_small_disk(const SmallRun& small, std::uintmax_t bytes) {

@@ -7,6 +7,8 @@
 #include <iterator>
 
 #include "core/error.hpp"
+#include "parallel/threads.hpp"
+#include "support/apart.hpp"
 #include "support/particles.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -53,11 +55,23 @@ TEST_CASE("Snapshot writer: what cannot be written is told once, by finish(), an
   CHECK(read_snapshot(folder.file("000001.h5")).state == state().state);
 }
 
-TEST_CASE("Snapshot writer: one that goes leaves its file whole") {
+TEST_CASE("Snapshot writer: one that goes leaves its file whole, where the system has no thread to give too") {
   const test::TemporaryFolder folder;
+  std::filesystem::permissions(folder.path(), std::filesystem::perms::all);  // for whom no thread is given
   const History history(folder.file("history.csv"), {"energy"});
-  SnapshotWriter().start(state(), folder.file("000000.h5"), history);
-  CHECK_NOTHROW(read_snapshot(folder.file("000000.h5")));
+  SnapshotWriter().start(state(), folder.file("threaded.h5"), history);
+  CHECK_NOTHROW(read_snapshot(folder.file("threaded.h5")));
+  CHECK(test::fault_apart([&] {
+          use_threads(1);
+          test::allow_no_process();
+          SnapshotWriter writer;
+          writer.start(state(), folder.file("waited_for.h5"), history);
+          if (writer.at_work()) throw std::logic_error("a thread was given");
+          writer.finish();
+          writer.start(state(), folder.file("not_waited_for.h5"), history);
+        }).empty());
+  CHECK_NOTHROW(read_snapshot(folder.file("waited_for.h5")));
+  CHECK_NOTHROW(read_snapshot(folder.file("not_waited_for.h5")));
 }
 
 }  // namespace
