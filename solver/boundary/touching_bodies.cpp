@@ -13,10 +13,10 @@ namespace {
 constexpr double of_rounding = 1e-9;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-const std::string count_name = "contact_bodies_in_touch";
+const std::string count_name = "contact_bodies_in_touch", pair_name = "contact_at_start_";
 
 std::string name_of(std::uint32_t a, std::uint32_t b) {
-  return "contact_at_start_" + std::to_string(a) + "_" + std::to_string(b);
+  return pair_name + std::to_string(a) + "_" + std::to_string(b);
 }
 
 /// Of every two bodies with particles near to each other, both ways.
@@ -105,7 +105,7 @@ void TouchingBodies::restore(const std::map<std::string, double>& state, std::ui
   for (std::uint32_t a = 0; count > 0.0 && a < bodies; ++a)
     for (std::uint32_t b = 0; b < bodies; ++b)
       if (const auto found = state.find(name_of(a, b)); found != state.end()) at_start_[{a, b}] = found->second;
-  if (static_cast<double>(at_start_.size()) != count) throw MissingNumber(count_name);
+  if (static_cast<double>(at_start_.size()) != count) throw MissingNumber(pair_name + "BODY_BODY");
 }
 
 std::size_t TouchingBodies::memory() const {

@@ -186,6 +186,10 @@ TEST_CASE("Check: the reduced scene that --apply writes gives the same measures,
   const auto again = run_in(folder.path(), {TEKTITE_PROGRAM, "check", "scene.toml", "--apply", "reduced.toml"});
   CHECK(again.code == 2);
   CHECK_THAT(again.faults, Contains("reduced.toml") && Contains("is there already"));
+  fs::create_directory(folder.file("below"));
+  const auto elsewhere = run_in(folder.path(), {TEKTITE_PROGRAM, "check", "scene.toml", "--apply", "below/other.toml"});
+  CHECK(elsewhere.code == 2);
+  CHECK_THAT(elsewhere.faults, Contains("below/other.toml: paths in a scene are relative to its folder"));
   // What is reduced has no more to be saved.
   const auto reduced = run_or_throw(folder.path(), {TEKTITE_PROGRAM, "check", "reduced.toml", "--apply", "none.toml"});
   CHECK_THAT(reduced.output, Contains("nothing to save is known"));
