@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "advice/contact.hpp"
+#include "advice/msph_impacts.hpp"
 #include "advice/reach.hpp"
 #include "advice/symmetry.hpp"
 #include "advice/thickness.hpp"
@@ -201,6 +202,7 @@ Advice advise(const Particles& particles, const RunSettings& settings, const std
   advise_on_thickness(particles, settings, advice);
   std::ranges::move(viscous_strengths(particles, settings, meetings), std::back_inserter(advice.lines));
   std::ranges::move(slow_contacts(particles, settings, meetings), std::back_inserter(advice.lines));
+  std::ranges::move(msph_impacts(particles, settings, meetings), std::back_inserter(advice.lines));
   advise_on_axis(particles, settings, meetings, advice);
   advise_on_mirrors(particles, settings, advice);
   advise_on_revolution(particles, settings, advice);

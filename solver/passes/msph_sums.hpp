@@ -1,5 +1,6 @@
 #pragma once
-// The sums over neighbours of MSPH, in gather form; every particle uses its own smoothing length.
+// The sums over neighbours of MSPH, in gather form. Derivatives of a particle take its own smoothing length; what two
+// particles give each other takes the mean of both.
 
 #include <cstdint>
 
@@ -50,6 +51,20 @@ struct MsphGather {
     p.volume = select(near, read(j, [](const auto& r) -> const double& { return r.volume; }), Pack(0.0));
     return p;
   }
+  Pack mass(const std::uint32_t* j) const {
+    return read(j, [](const auto& r) -> const double& { return r.volume; }) *
+           read(j, [](const auto& r) -> const double& { return r.density; });
+  }
+  /// The kernel, without its constant, with the mean of both smoothing lengths, so that both of a pair have the same.
+  template <class Kernel>
+  Pack mutual_kernel(const MsphSelf<D>& a, const std::uint32_t* j, const MsphPair<D>& p) const {
+    using std::experimental::sqrt;
+    const Pack own(records[a.i].smoothing_length);
+    const Pack to_mean =
+        Pack(2.0) * own / (own + read(j, [](const auto& r) -> const double& { return r.smoothing_length; }));
+    const auto near = p.other && to_mean * to_mean * p.distance_squared < Pack(support * support);
+    return select(near, Kernel::shape(to_mean * sqrt(p.distance_squared)), Pack(0.0));
+  }
 };
 
 /// B of Batra and Zhang (2008), eq. 2.3-2.4, inverted; the sum Σ m_j w_ij that conservative smoothing is normalised
@@ -80,8 +95,10 @@ struct MsphMoments {
       const Pack weighted = p.volume * phi[r];
       for (int c = 0; c < N; ++c) sums.b[r * N + c] += weighted * theta[c];
     }
+    sums.mass += gather.template mutual_kernel<Kernel>(a, j, p) * gather.read(j, [](const auto& r) -> const double& {
+      return r.volume;
+    }) * gather.read(j, [](const auto& r) -> const double& { return r.density; });
     const Pack w = select(p.volume > Pack(0.0), Kernel::shape(sqrt(p.distance_squared)), Pack(0.0));
-    sums.mass += w * p.volume * gather.read(j, [](const auto& r) -> const double& { return r.density; });
     const Pack section =
         w * p.volume * section_part(gather.read(j, [](const auto& r) -> const double& { return r.x[0]; }), a.over_h);
     sums.weight += section;
@@ -225,13 +242,11 @@ struct SmoothVelocity {
   };
   Self begin(std::size_t i) const { return gather.self(i); }
   void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
-    using std::experimental::sqrt;
     const auto& own = gather.records[a.i];
     const auto p = gather.pair(a, j);
     const Pack other([&](auto lane) { return 1.0 / kernel_mass[j[static_cast<std::size_t>(lane)]]; });
-    const Pack mass = p.volume * gather.read(j, [](const auto& q) -> const double& { return q.density; });
-    const Pack weight = select(p.volume > Pack(0.0), Kernel::shape(sqrt(p.distance_squared)), Pack(0.0)) * mass *
-                        Pack(0.5) * (other + Pack(1.0 / kernel_mass[a.i]));
+    const Pack weight = gather.template mutual_kernel<Kernel>(a, j, p) * gather.mass(j) * Pack(0.5) *
+                        (other + Pack(1.0 / kernel_mass[a.i]));
     Vector<Pack, D> dv;
     for (int k = 0; k < D; ++k) {
       dv[k] = gather.read(j, [k](const auto& q) -> const double& { return q.v[k]; }) - Pack(own.v[k]);

@@ -3,6 +3,7 @@
 
 #include "advice/contact.hpp"
 #include "advice/impact.hpp"
+#include "advice/msph_impacts.hpp"
 #include "advice/reach.hpp"
 #include "advice/symmetry.hpp"
 #include "advice/thickness.hpp"
@@ -217,6 +218,29 @@ TEST_CASE("Advice: a contact that begins in reach is named where an elastic impa
   // ρ c V/2 is 0.3 GPa at 33 m/s: above, the metal flows.
   CHECK(lines(30.0, reach, plastic).size() == 1);
   CHECK(lines(37.0, reach, plastic).empty());
+}
+
+TEST_CASE("Advice: how far the energy of an impact by msph is off, by the forces and the particles", "[advice]") {
+  const auto lines = [](const std::string& scheme, double spacing, int across) {
+    const auto settings = settings_of(
+        "space = 'plane-strain'\nsmoothing = { kernel = 'truncated-gaussian', ratio = 1.5 }\nscheme = { " + scheme +
+        " }\n[material.metal]\ndensity = 2785.0\neos = { model = 'linear', bulk_modulus = '79 GPa' }\n"
+        "[body.rod]\nmaterial = 'metal'\n[body.plate]\nmaterial = 'metal'\n[time]\nend = '1 us'\n");
+    const Lattice rod{"rod", "metal", spacing, {-40.0 * spacing, 0.0}, {30, across}, {2000.0, 0.0}};
+    const Lattice plate{"plate", "metal", 1e-3, {0.5e-3, -19.5e-3}, {20, 40}, {0.0, 0.0}};
+    const auto particles = test::particles_on(Space::plane_strain, {rod, plate}, 2785.0);
+    return msph_impacts(particles, settings, meetings(particles, settings.materials));
+  };
+  const auto says = [&](const std::vector<std::string>& found, const std::string& words) {
+    return found.size() == 1 && found.front().find(words) != std::string::npos;
+  };
+  const std::string strong = "type = 'msph'", adjoint = "type = 'msph', forces = 'adjoint'";
+  CHECK(says(lines(strong, 1e-3, 10), "off by up to 10 %"));
+  CHECK(says(lines(strong, 0.25e-3, 10), "off by up to 15 % of the energy, and by 2 % with scheme.forces"));
+  CHECK(says(lines(strong, 1e-3, 1), "off by up to 152 %"));
+  CHECK(says(lines(adjoint, 1e-3, 1), "off by up to 7 %"));
+  CHECK(lines(adjoint, 0.25e-3, 10).empty());
+  CHECK(lines("type = 'eulerian'", 1e-3, 1).empty());
 }
 
 TEST_CASE("Advice: what waves do not reach is found, with room for the fastest of them", "[advice]") {
