@@ -31,7 +31,8 @@ std::vector<std::string> viscous_strengths(const Particles& particles, const Run
     lines.push_back(
         fmt::format("{}: where it flows at the closing speed over the {}, {:.1e} /s, the artificial viscosity "
                     "bears some {:.2g} GPa, more than the flow stress of {:.2g} GPa, and slows the flow as a "
-                    "strength would; a finer spacing or a smaller viscosity.alpha ({:.1g} makes both equal) lowers it",
+                    "strength would; a finer spacing, a smaller viscosity.alpha ({:.1g} makes both equal) or "
+                    "viscosity.model = 'limited' lowers it",
                     body.name, thinner, rate, 1e-9 * viscous, 1e-9 * *flow, viscosity->alpha * *flow / viscous));
   };
   for (const auto& meeting : meetings) {

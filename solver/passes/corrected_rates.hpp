@@ -7,6 +7,7 @@
 #include "core/pack.hpp"
 #include "passes/corrected_record.hpp"
 #include "passes/kernel_pair.hpp"
+#include "passes/strain_rate_record.hpp"
 
 namespace tektite {
 
@@ -54,14 +55,16 @@ struct CorrectedRates {
   int exponent;  ///< n_as
   Vector<double, D>* acceleration;
   Tensor<double, D>* velocity_gradient;
-  double* viscous_power;   ///< q in W/kg
-  double* viscous_signal;  ///< largest |μ| in m/s
+  double* viscous_power;                              ///< q in W/kg
+  double* viscous_signal;                             ///< largest |μ| in m/s
+  const StrainRateRecord<D>* strain_rates = nullptr;  ///< where the viscosity reconstructs velocities
 
   struct Self {
     Vector<Pack, D> x, v;
     Pack stress[stresses], artificial_stress[stresses];
     Pack density, sound_speed, h, spacing;
     OwnCorrection correction;
+    Vector<Pack, StrainRateRecord<D>::components> rate;
   };
   struct Sums {
     Vector<Pack, D> force = Vector<Pack, D>::zero();  ///< Σ V_b (σ_a ∇̃_a - σ_b ∇̃_b)
@@ -83,6 +86,7 @@ struct CorrectedRates {
     a.sound_speed = r.sound_speed;
     a.h = r.smoothing_length;
     a.spacing = r.spacing;
+    if constexpr (Viscosity::reconstructs) a.rate = own(strain_rates, i, &StrainRateRecord<D>::rate);
     return a;
   }
 
@@ -102,7 +106,8 @@ struct CorrectedRates {
     const auto pull = difference(a.stress, here, stress, there);
     Vector<Pack, D> other;  // per m_b
     const Pack c = Pack(0.5) * (a.sound_speed + gathered(records, j, &Record::sound_speed));
-    const auto [pi, speed] = viscosity(dot(v, x), dot(x, x), h, c, Pack(0.5) * (a.density + density));
+    const Pack approach = damped_approach<Viscosity>(strain_rates, j, a.rate, x, dot(v, x));
+    const auto [pi, speed] = viscosity(approach, dot(x, x), h, c, Pack(0.5) * (a.density + density));
     for (int k = 0; k < D; ++k) other[k] = Pack(0.5) * pi * (there[k] - here[k]);
     if constexpr (artificial) {
       Pack r[stresses];

@@ -6,6 +6,7 @@
 #include "core/tensor.hpp"
 #include "passes/eulerian_record.hpp"
 #include "passes/gathered.hpp"
+#include "passes/strain_rate_record.hpp"
 
 namespace tektite {
 
@@ -23,13 +24,15 @@ struct EulerianRates {
   Viscosity viscosity;
   Vector<double, D>* acceleration;
   Tensor<double, D>* velocity_gradient;
-  double* viscous_power;   ///< q in W/kg
-  double* viscous_signal;  ///< largest |μ| in m/s
+  double* viscous_power;                              ///< q in W/kg
+  double* viscous_signal;                             ///< largest |μ| in m/s
+  const StrainRateRecord<D>* strain_rates = nullptr;  ///< where the viscosity reconstructs velocities
 
   struct Self {
     Vector<Pack, D> x, v;
     Pack stress[Record::stresses];
     Pack density, sound_speed, h;
+    Vector<Pack, StrainRateRecord<D>::components> rate;
   };
   struct Sums {
     Vector<Pack, D> force = Vector<Pack, D>::zero();    ///< Σ V_b (σ_a + σ_b) ∇W
@@ -48,6 +51,7 @@ struct EulerianRates {
     a.density = r.density;
     a.sound_speed = r.sound_speed;
     a.h = r.smoothing_length;
+    if constexpr (Viscosity::reconstructs) a.rate = own(strain_rates, i, &StrainRateRecord<D>::rate);
     return a;
   }
 
@@ -79,7 +83,8 @@ struct EulerianRates {
     const Pack weight = volume * slope;  // V_b ∇W = weight x_ab
     const Pack approach = dot(v, x);
     const Pack c = Pack(0.5) * (a.sound_speed + sound_speed);
-    const auto [pi, speed] = viscosity(approach, r_squared, h, c, Pack(0.5) * (a.density + density));
+    const Pack damped = damped_approach<Viscosity>(strain_rates, j, a.rate, x, approach);
+    const auto [pi, speed] = viscosity(damped, r_squared, h, c, Pack(0.5) * (a.density + density));
     const Pack damping = weight * density * select(q < Pack(Kernel::support), pi, Pack(0.0));
 
     Pack stress[Record::stresses];

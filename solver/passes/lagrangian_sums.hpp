@@ -6,6 +6,7 @@
 #include "core/tensor_product.hpp"
 #include "passes/kernel_pair.hpp"
 #include "passes/lagrangian_records.hpp"
+#include "passes/strain_rate_record.hpp"
 #include "passes/transposed.hpp"
 
 namespace tektite {
@@ -28,8 +29,9 @@ struct ListedRecords {
   const ReferenceRecord<D>* reference;
   const MotionRecord<D>* motion;
   const StressRecord<D>* stress;
-  const ShiftRecord<D>* shift = nullptr;          ///< with a correction
-  const HourglassRecord<D>* hourglass = nullptr;  ///< with control of zero-energy modes
+  const ShiftRecord<D>* shift = nullptr;             ///< with a correction
+  const HourglassRecord<D>* hourglass = nullptr;     ///< with control of zero-energy modes
+  const StrainRateRecord<D>* strain_rate = nullptr;  ///< where the viscosity reconstructs velocities
 };
 
 /// ... and those of a lattice.
@@ -41,8 +43,9 @@ struct LatticeRecords {
   Transposed<ReferenceRecord<D>> reference;
   Transposed<MotionRecord<D>> motion;
   Transposed<StressRecord<D>> stress;
-  Transposed<ShiftRecord<D>> shift;          ///< null without a correction
-  Transposed<HourglassRecord<D>> hourglass;  ///< null where there is no control of zero-energy modes
+  Transposed<ShiftRecord<D>> shift;             ///< null without a correction
+  Transposed<HourglassRecord<D>> hourglass;     ///< null where there is no control of zero-energy modes
+  Transposed<StrainRateRecord<D>> strain_rate;  ///< null where the viscosity does not reconstruct velocities
 };
 
 /// How the sums of a pass leave it: over the lanes, where these are neighbours of one particle ...
@@ -197,6 +200,7 @@ struct LagrangianForces
     Number density, sound_speed, stretch;
     Tensor<Number, D> cofactor;
     Vector<Number, D> cofactor_shift;
+    Vector<Number, StrainRateRecord<D>::components> rate;
   };
   struct Sums {
     Vector<Number, D> slope = Vector<Number, D>::zero();  ///< Σ V_b0 ∇W_ab, by which P_a acts
@@ -209,11 +213,17 @@ struct LagrangianForces
 
   [[gnu::always_inline]] Self begin(const typename Records::Own& i) const {
     const auto& r = this->records;
-    Self a{OwnReference<Records, D>(r, i),         own(r.motion, i, &MotionRecord<D>::x),
-           own(r.motion, i, &MotionRecord<D>::v),  own(r.stress, i, &Stress::density),
-           own(r.stress, i, &Stress::sound_speed), own(r.stress, i, &Stress::least_stretch),
-           own(r.stress, i, &Stress::cofactor),    {}};
+    Self a{OwnReference<Records, D>(r, i),
+           own(r.motion, i, &MotionRecord<D>::x),
+           own(r.motion, i, &MotionRecord<D>::v),
+           own(r.stress, i, &Stress::density),
+           own(r.stress, i, &Stress::sound_speed),
+           own(r.stress, i, &Stress::least_stretch),
+           own(r.stress, i, &Stress::cofactor),
+           {},
+           {}};
     if constexpr (corrected) a.cofactor_shift = own(r.shift, i, &ShiftRecord<D>::cofactor);
+    if constexpr (Viscosity::reconstructs) a.rate = own(r.strain_rate, i, &StrainRateRecord<D>::rate);
     return a;
   }
 
@@ -271,7 +281,8 @@ struct LagrangianForces
     const Number c = Number(0.5) * (a.sound_speed + gathered(r.stress, j, &Stress::sound_speed));
     // Of the present configuration, as the places are: with h as it was at the start μ would grow as they come nearer.
     const Number h = pair.h * (Number(0.5) * (a.stretch + gathered(r.stress, j, &Stress::least_stretch)));
-    const auto [pi, speed] = viscosity(approach, dot(x, x), h, c, Number(0.5) * (a.density + density));
+    const Number damped = damped_approach<Viscosity>(r.strain_rate, j, a.rate, x, approach);
+    const auto [pi, speed] = viscosity(damped, dot(x, x), h, c, Number(0.5) * (a.density + density));
     // Where the deformation turns the gradients against the line between the particles, Π would drive them, not damp
     // them.
     const Number power = dot(v, bracket);

@@ -19,7 +19,7 @@ template <class Kernel, int D>
 class CorrectedSums {
  public:
   explicit CorrectedSums(const SchemeSettings& settings)
-      : viscosity_(std::get<MonaghanViscosity>(settings.viscosity)),
+      : viscosity_(settings.viscosity),
         corrected_(settings.corrected_eulerian),
         switch_{settings.correction_limit},
         artificial_(settings.artificial_stress) {}
@@ -36,9 +36,10 @@ class CorrectedSums {
   };
 
   /// Accelerations, velocity gradients and viscous powers of the Eulerian particles. `records` are those of the
-  /// particles alone.
+  /// particles alone, `strain_rates` also those of their images: null where the viscosity does not read them.
   void evaluate(Particles& p, const PairList& pairs, const Mirror<D>& mirror,
-                const std::vector<EulerianRecord<D>>& records, const std::optional<Among>& among = {}) {
+                const std::vector<EulerianRecord<D>>& records, const StrainRateRecord<D>* strain_rates,
+                const std::optional<Among>& among = {}) {
     const auto count = p.count();
     records_.resize(count + mirror.images());
     for (const auto& body : p.bodies()) {
@@ -51,9 +52,9 @@ class CorrectedSums {
     mirror.fill(records_, count);
     without_ = corrected_ ? correction_.find(pairs, mirror, records_, count, among ? among->eulerian : nullptr) : 0;
     if (corrected_)
-      sum<true>(p, pairs);
+      sum<true>(p, pairs, strain_rates);
     else
-      sum<false>(p, pairs);
+      sum<false>(p, pairs, strain_rates);
   }
 
   /// Particles that go without correction, at the last call.
@@ -75,23 +76,27 @@ class CorrectedSums {
   }
 
   template <bool corrected>
-  void sum(Particles& p, const PairList& pairs) {
+  void sum(Particles& p, const PairList& pairs, const StrainRateRecord<D>* strain_rates) {
     if constexpr (D == 2) {
-      if (artificial_) return sum<corrected, true>(p, pairs);
+      if (artificial_) return sum<corrected, true>(p, pairs, strain_rates);
     }
-    sum<corrected, false>(p, pairs);
+    sum<corrected, false>(p, pairs, strain_rates);
   }
 
   template <bool corrected, bool artificial>
-  void sum(Particles& p, const PairList& pairs) {
-    for_each_pair(pairs,
-                  CorrectedRates<Kernel, MonaghanViscosity, D, corrected, artificial>{
-                      records_.data(), viscosity_, switch_, artificial_ ? artificial_->exponent : 0,
-                      p.template vectors<D>(Field::acceleration), p.template tensors<D>(Field::velocity_gradient),
-                      p.scalars(Field::viscous_power), p.scalars(Field::viscous_signal)});
+  void sum(Particles& p, const PairList& pairs, const StrainRateRecord<D>* strain_rates) {
+    std::visit(
+        [&]<class Chosen>(const Chosen& viscosity) {
+          for_each_pair(pairs,
+                        CorrectedRates<Kernel, Chosen, D, corrected, artificial>{
+                            records_.data(), viscosity, switch_, artificial_ ? artificial_->exponent : 0,
+                            p.template vectors<D>(Field::acceleration), p.template tensors<D>(Field::velocity_gradient),
+                            p.scalars(Field::viscous_power), p.scalars(Field::viscous_signal), strain_rates});
+        },
+        viscosity_);
   }
 
-  MonaghanViscosity viscosity_;
+  Viscosity viscosity_;
   bool corrected_;
   CorrectionSwitch switch_;
   std::optional<ArtificialStress> artificial_;

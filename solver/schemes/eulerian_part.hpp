@@ -72,7 +72,7 @@ class EulerianPart {
       if (reference[i].volume == 0.0) records_[i].volume = 0.0;
     });
     const typename CorrectedSums<Kernel, D>::Among among{members, eulerian_.data()};
-    sums_.evaluate(p, neighbourhood_.pairs(), neighbourhood_.mirror(), records_, among);
+    sums_.evaluate(p, neighbourhood_.pairs(), neighbourhood_.mirror(), records_, nullptr, among);
   }
 
   std::size_t memory() const {

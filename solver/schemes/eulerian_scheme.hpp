@@ -37,7 +37,6 @@ class EulerianScheme final : public Scheme {
       : particles_(setup.particles),
         profile_(setup.profile),
         settings_(setup.settings),
-        viscosity_(std::get<MonaghanViscosity>(setup.settings.viscosity)),
         materials_(setup.particles, setup.materials),
         smoothing_(smoothing_range(setup.particles)),
         neighbourhood_(setup.particles, Kernel::support * smoothing_.second, setup.symmetry,
@@ -86,8 +85,8 @@ class EulerianScheme final : public Scheme {
   }
 
   TimeStep stable_step() const override {
-    return smallest_step<D>(least_stable_step<D>(particles_, settings_.courant, viscosity_), particles_, walls_,
-                            contact_, settings_.courant);
+    return smallest_step<D>(least_stable_step<D>(particles_, settings_.courant, coefficients_of(settings_.viscosity)),
+                            particles_, walls_, contact_, settings_.courant);
   }
 
   Ledger ledger() override { return ledger_of<D>(particles_, contact_ ? contact_->energy() : 0.0); }
@@ -105,7 +104,8 @@ class EulerianScheme final : public Scheme {
 
   std::size_t memory() const override {
     return neighbourhood_.memory() + (contact_ ? contact_->memory() : 0) +
-           records_.capacity() * sizeof(EulerianRecord<D>) + (corrected_ ? corrected_->memory() : 0) + rings_.memory();
+           records_.capacity() * sizeof(EulerianRecord<D>) + strain_rates_.capacity() * sizeof(StrainRateRecord<D>) +
+           (corrected_ ? corrected_->memory() : 0) + rings_.memory();
   }
 
  private:
@@ -127,7 +127,7 @@ class EulerianScheme final : public Scheme {
     predict(0.5 * dt);
     const auto scope = profile_.time("pairs");
     if (corrected_)
-      corrected_->evaluate(particles_, neighbourhood_.pairs(), neighbourhood_.mirror(), records_);
+      corrected_->evaluate(particles_, neighbourhood_.pairs(), neighbourhood_.mirror(), records_, strain_rates_.data());
     else
       with_smoothing(smoothing_, [this](const auto& smoothing) { this->sum_over_pairs(smoothing); });
     auto& p = particles_;
@@ -141,6 +141,7 @@ class EulerianScheme final : public Scheme {
     const auto scope = profile_.time("predict");
     auto& p = particles_;
     records_.resize(p.count() + neighbourhood_.mirror().images());
+    if (reconstructs(settings_.viscosity)) strain_rates_.resize(records_.size());
     if constexpr (rings) rings_.resize(p, neighbourhood_.mirror());
     materials_.for_each_run([&](const auto& run) {
       if constexpr (plane_stress) {
@@ -150,6 +151,7 @@ class EulerianScheme final : public Scheme {
       predict(run, half_step);
     });
     neighbourhood_.mirror().fill(records_, p.count());
+    if (reconstructs(settings_.viscosity)) neighbourhood_.mirror().fill(strain_rates_, p.count());
     if constexpr (rings) rings_.fill_images(p, neighbourhood_.mirror());
   }
 
@@ -169,6 +171,8 @@ class EulerianScheme final : public Scheme {
                  half.velocity_gradient, m.symmetrics(run, Field::deviatoric_stress), m.scalars(run, Field::density),
                  m.scalars(run, Field::specific_internal_energy), m.scalars(run, Field::pressure),
                  m.scalars(run, Field::viscous_power), rate, half_step, records, density, half.energy});
+    if (reconstructs(settings_.viscosity))
+      run_through(all, NoteStrainRates<D>{half.velocity_gradient, strain_rates_.data() + run.range.begin});
     if constexpr (rings) rings_.measure(particles_, run.range, half_step, records_);
     m.evaluate_eos(run, density, half.energy, half.pressure, half.sound_speed);
     m.predict_strength(run, half_step, half.velocity_gradient, half.deviatoric_stress);
@@ -183,11 +187,15 @@ class EulerianScheme final : public Scheme {
   template <class Smoothing>
   void sum_over_pairs(const Smoothing& smoothing) {
     auto& p = particles_;
-    for_each_pair(neighbourhood_.pairs(),
-                  EulerianRates<Kernel, Smoothing, MonaghanViscosity, D>{
-                      records_.data(), smoothing, viscosity_, p.template vectors<D>(Field::acceleration),
-                      p.template tensors<D>(Field::velocity_gradient), p.scalars(Field::viscous_power),
-                      p.scalars(Field::viscous_signal)});
+    std::visit(
+        [&]<class Chosen>(const Chosen& viscosity) {
+          for_each_pair(neighbourhood_.pairs(),
+                        EulerianRates<Kernel, Smoothing, Chosen, D>{
+                            records_.data(), smoothing, viscosity, p.template vectors<D>(Field::acceleration),
+                            p.template tensors<D>(Field::velocity_gradient), p.scalars(Field::viscous_power),
+                            p.scalars(Field::viscous_signal), strain_rates_.data()});
+        },
+        settings_.viscosity);
   }
 
   /// The whole state at the end of a step.
@@ -225,7 +233,6 @@ class EulerianScheme final : public Scheme {
   Particles& particles_;
   Profile& profile_;
   SchemeSettings settings_;
-  MonaghanViscosity viscosity_;
   MaterialPasses<D, across> materials_;
   std::pair<double, double> smoothing_;  ///< smallest and largest h
   Neighbourhood<D> neighbourhood_;
@@ -235,6 +242,7 @@ class EulerianScheme final : public Scheme {
   std::vector<SymmetryPlane> walls_;
   EulerianRings<Kernel> rings_;  ///< of an axisymmetric space
   std::vector<EulerianRecord<D>> records_;
+  std::vector<StrainRateRecord<D>> strain_rates_;  ///< of the step before, where the viscosity reads them
 };
 
 /// One space for all kernels; each space is instantiated in a translation unit of its own.

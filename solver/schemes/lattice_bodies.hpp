@@ -14,8 +14,9 @@ namespace tektite {
 
 /// What the passes read beside the records that all read.
 struct LagrangianReads {
-  bool corrected;  ///< the records of shifts
-  bool hourglass;  ///< the records of the control of zero-energy modes
+  bool corrected;             ///< the records of shifts
+  bool hourglass;             ///< the records of the control of zero-energy modes
+  bool strain_rates = false;  ///< the records of a viscosity that reconstructs velocities
 };
 
 template <class Kernel, int D>
@@ -64,6 +65,10 @@ class LatticeBodies {
     for (auto& body : bodies_) body.rows.fill(body.lattice, records, body.before_hourglass(), of_hourglass);
   }
 
+  void fill(const std::vector<StrainRateRecord<D>>& records) {
+    for (auto& body : bodies_) body.rows.fill(body.lattice, records, body.before_strain_rate(), of_strain_rate);
+  }
+
   /// Leaves out where wanted(record) says no.
   template <class Wanted>
   void visit(const Wanted& wanted) {
@@ -76,9 +81,10 @@ class LatticeBodies {
     for (const auto& body : bodies_)
       for_each_on_lattice<D, TransposedRecords, ReferencePair<double, D>>(
           body.lattice, body.rows, body.pairs,
-          make(LatticeRecords<D>{
-              body.rows.template view<ReferenceRecord<D>>(0), body.rows.template view<MotionRecord<D>>(of_reference),
-              body.rows.template view<StressRecord<D>>(before_stress), body.shift(), body.hourglass()}),
+          make(LatticeRecords<D>{body.rows.template view<ReferenceRecord<D>>(0),
+                                 body.rows.template view<MotionRecord<D>>(of_reference),
+                                 body.rows.template view<StressRecord<D>>(before_stress), body.shift(),
+                                 body.hourglass(), body.strain_rate()}),
           count);
   }
 
@@ -90,8 +96,8 @@ class LatticeBodies {
 
  private:
   // What the rows hold of each record, from its first number on: of the reference record the volume alone, since pairs
-  // know the rest; of the stress record all but J. Shifts, and behind them what hourglass control reads, are there
-  // where passes read them.
+  // know the rest; of the stress record all but J. Shifts, and behind them what hourglass control and the viscosity
+  // read, are there where passes read them.
   static constexpr std::size_t of_reference = 1;
   static constexpr std::size_t of_motion = sizeof(MotionRecord<D>) / sizeof(double);
   static constexpr std::size_t before_stress = of_reference + of_motion;
@@ -99,6 +105,7 @@ class LatticeBodies {
   static constexpr std::size_t before_shift = before_stress + of_stress;
   static constexpr std::size_t of_shift = sizeof(ShiftRecord<D>) / sizeof(double);
   static constexpr std::size_t of_hourglass = sizeof(HourglassRecord<D>) / sizeof(double);
+  static constexpr std::size_t of_strain_rate = sizeof(StrainRateRecord<D>) / sizeof(double);
 
   struct Body {
     Lattice<D> lattice;
@@ -109,7 +116,7 @@ class LatticeBodies {
     Body(Lattice<D> found, double h, LagrangianReads reads)
         : lattice(std::move(found)),
           read(reads),
-          rows(lattice, before_hourglass() + (read.hourglass ? of_hourglass : 0)) {
+          rows(lattice, before_strain_rate() + (read.strain_rates ? of_strain_rate : 0)) {
       rows.template empty<StressRecord<D>>(before_stress, of_stress);
       for (const auto& neighbour : lattice.neighbours()) {
         const KernelPair<Kernel, D> pair(broadcast(neighbour.x), Pack(h));
@@ -120,6 +127,7 @@ class LatticeBodies {
     }
 
     std::size_t before_hourglass() const { return before_shift + (read.corrected ? of_shift : 0); }
+    std::size_t before_strain_rate() const { return before_hourglass() + (read.hourglass ? of_hourglass : 0); }
 
     Transposed<ShiftRecord<D>> shift() const {
       if (!read.corrected) return {nullptr, 0};
@@ -128,6 +136,10 @@ class LatticeBodies {
     Transposed<HourglassRecord<D>> hourglass() const {
       if (!read.hourglass) return {nullptr, 0};
       return rows.template view<HourglassRecord<D>>(before_hourglass());
+    }
+    Transposed<StrainRateRecord<D>> strain_rate() const {
+      if (!read.strain_rates) return {nullptr, 0};
+      return rows.template view<StrainRateRecord<D>>(before_strain_rate());
     }
   };
 

@@ -28,13 +28,6 @@ constexpr std::array<RegisteredScheme, 7> schemes{{
     {"ssph", make_ssph},
 }};
 
-Viscosity read_viscosity(Section& root) {
-  auto section = root.section_or_empty("viscosity");
-  const auto names = Family<Viscosity>::names();
-  section.choice("model", names, names.front());
-  return Family<Viscosity>::read(section);
-}
-
 /// What the keys of [scheme] hang on.
 struct Kind {
   bool eulerian, total_lagrangian, adaptle, split, strong;
@@ -48,6 +41,15 @@ struct Kind {
   bool lagrangian() const { return total_lagrangian || adaptle; }
   bool viscous() const { return eulerian || lagrangian(); }
 };
+
+/// Of `adaptle` the plain one: a pair of both kinds of particles has no gradient that both see.
+Viscosity read_viscosity(Section& root, const Kind& kind) {
+  auto section = root.section_or_empty("viscosity");
+  auto names = Family<Viscosity>::names();
+  if (kind.adaptle) names = {std::string(MonaghanViscosity::name)};
+  section.choice("model", names, names.front());
+  return Family<Viscosity>::read(section);
+}
 
 /// The keys `correction`, `correction_limit` and `artificial_stress`. Eulerian kernels are not corrected unasked, since
 /// their corrections are those of a step, and make it three times as dear.
@@ -117,7 +119,7 @@ SchemeSettings read_scheme(Section& root, const Scene& scene) {
   settings.kernel = scene.kernel;
   auto smoothing = root.section("smoothing");
   smoothing.choice("kernel", Family<Kernel>::names());
-  if (kind.viscous()) settings.viscosity = read_viscosity(root);
+  if (kind.viscous()) settings.viscosity = read_viscosity(root, kind);
   settings.contact = read_contact(root, kind.lagrangian());
   settings.anvil = read_anvil(root, scene, kind.strong || kind.eulerian || kind.total_lagrangian);
   return settings;

@@ -44,7 +44,6 @@ class TotalLagrangianScheme final : public Scheme {
       : particles_(setup.particles),
         profile_(setup.profile),
         settings_(setup.settings),
-        viscosity_(std::get<MonaghanViscosity>(setup.settings.viscosity)),
         materials_(setup.particles, setup.materials),
         mirror_(setup.symmetry),
         anvil_(setup.settings.anvil),
@@ -102,8 +101,8 @@ class TotalLagrangianScheme final : public Scheme {
   }
 
   TimeStep stable_step() const override {
-    return smallest_step<D>(least_stable_step<D>(particles_, settings_.courant, viscosity_), particles_, walls_,
-                            contact_, settings_.courant);
+    return smallest_step<D>(least_stable_step<D>(particles_, settings_.courant, coefficients_of(settings_.viscosity)),
+                            particles_, walls_, contact_, settings_.courant);
   }
 
   Ledger ledger() override {
@@ -125,8 +124,9 @@ class TotalLagrangianScheme final : public Scheme {
     return neighbours_.memory() + (contact_ ? contact_->memory() : 0) + (eulerian_ ? eulerian_->memory() : 0) +
            reference_.capacity() * sizeof(ReferenceRecord<D>) + motion_.capacity() * sizeof(MotionRecord<D>) +
            stress_.capacity() * sizeof(StressRecord<D>) + corrections_.capacity() * sizeof(Correction<double, D>) +
-           shift_.capacity() * sizeof(ShiftRecord<D>) + deformation_.capacity() * sizeof(Tensor<double, D>) +
-           rings_.memory() + interface_.memory() + (hourglass_ ? hourglass_->memory() : 0);
+           shift_.capacity() * sizeof(ShiftRecord<D>) + strain_rates_.capacity() * sizeof(StrainRateRecord<D>) +
+           deformation_.capacity() * sizeof(Tensor<double, D>) + rings_.memory() + interface_.memory() +
+           (hourglass_ ? hourglass_->memory() : 0);
   }
 
  private:
@@ -143,13 +143,15 @@ class TotalLagrangianScheme final : public Scheme {
     materials_.allocate_scratch();
     const bool all_listed = settings_.corrected || eulerian_ || rings;
     const bool controlled = settings_.hourglass_control > 0.0;
-    neighbours_.find(particles_, mirror_, support(), !rings, {settings_.corrected, controlled},
+    neighbours_.find(particles_, mirror_, support(), !rings,
+                     {settings_.corrected, controlled, reconstructs(settings_.viscosity)},
                      all_listed ? Neighbours::Lists::all : Neighbours::Lists::off_lattice);
     const auto count = particles_.count(), all = count + mirror_.images();
     reference_.resize(all);
     motion_.resize(all);
     stress_.resize(all);
     if (settings_.corrected || eulerian_) shift_.assign(all, {Vector<double, D>::zero(), Vector<double, D>::zero()});
+    if (reconstructs(settings_.viscosity)) strain_rates_.resize(all);
     if (converts()) deformation_.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
       auto& r = reference_[i];
@@ -207,7 +209,8 @@ class TotalLagrangianScheme final : public Scheme {
   /// Runs the pass that make.operator()<corrected>(records) gives over all pairs of the reference configuration.
   template <class Make>
   void sweep(const Make& make) const {
-    const ListedRecords<D> records{reference_.data(), motion_.data(), stress_.data(), shift_.data()};
+    const ListedRecords<D> records{reference_.data(), motion_.data(), stress_.data(),
+                                   shift_.data(),     nullptr,        strain_rates_.data()};
     if (settings_.corrected)
       neighbours_.sweep(records, [&](const auto& r) { return make.template operator()<true>(r); });
     else
@@ -256,19 +259,26 @@ class TotalLagrangianScheme final : public Scheme {
         mirror_.fill(shift_, p.count());
         neighbours_.fill(shift_);
       }
+      if (reconstructs(settings_.viscosity)) {
+        mirror_.fill(strain_rates_, p.count());
+        neighbours_.fill(strain_rates_);
+      }
     }
     const auto scope = profile_.time("forces");
-    sweep([this, &p]<bool corrected, class Records>(const Records& records) {
-      return LagrangianForces<Kernel, MonaghanViscosity, D, corrected, Records>{
-          {records, reference_.data()},
-          viscosity_,
-          stress_.data(),
-          shift_.data(),
-          p.scalars(Field::mass),
-          p.template vectors<D>(Field::acceleration),
-          p.scalars(Field::viscous_power),
-          p.scalars(Field::viscous_signal)};
-    });
+    std::visit(
+        [&]<class Chosen>(const Chosen& viscosity) {
+          sweep([&]<bool corrected, class Records>(const Records& records) {
+            return LagrangianForces<Kernel, Chosen, D, corrected, Records>{{records, reference_.data()},
+                                                                           viscosity,
+                                                                           stress_.data(),
+                                                                           shift_.data(),
+                                                                           p.scalars(Field::mass),
+                                                                           p.template vectors<D>(Field::acceleration),
+                                                                           p.scalars(Field::viscous_power),
+                                                                           p.scalars(Field::viscous_signal)};
+          });
+        },
+        settings_.viscosity);
     if constexpr (rings)
       rings_.add_forces(neighbours_.pairs(), mirror_, reference_, p.scalars(Field::mass),
                         p.template vectors<D>(Field::acceleration));
@@ -326,6 +336,8 @@ class TotalLagrangianScheme final : public Scheme {
     m.predict_strength(run, half_step, half.velocity_gradient, half.deviatoric_stress);
     m.release(run, half.deviatoric_stress, half.pressure);
     run_through(all, AssembleStress<D>{half.deviatoric_stress, half.pressure, density, half.sound_speed, records});
+    if (reconstructs(settings_.viscosity))
+      run_through(all, NoteStrainRates<D>{half.velocity_gradient, strain_rates_.data() + first});
     if constexpr (rings) rings_.turn_stress(particles_, run.range, reference_, stress_);
     if (!eulerian_) {
       find_power(run, half);
@@ -367,7 +379,6 @@ class TotalLagrangianScheme final : public Scheme {
   Particles& particles_;
   Profile& profile_;
   SchemeSettings settings_;
-  MonaghanViscosity viscosity_;
   MaterialPasses<D, rings> materials_;  ///< the ring's strain is the third one of the section
   Mirror<D> mirror_;
   std::optional<KernelContact<D, Kernel>> contact_;
@@ -380,6 +391,7 @@ class TotalLagrangianScheme final : public Scheme {
   std::vector<MotionRecord<D>> motion_;
   std::vector<StressRecord<D>> stress_;
   std::vector<Correction<double, D>> corrections_;   ///< of the particles, where a scene asks for them
+  std::vector<StrainRateRecord<D>> strain_rates_;    ///< where the viscosity reads them
   std::vector<ShiftRecord<D>> shift_;                ///< where there are corrections, and in adaptle
   std::vector<Tensor<double, D>> deformation_;       ///< F of the last step, for the conversion of adaptle
   std::optional<EulerianPart<Kernel, D>> eulerian_;  ///< of the scheme adaptle

@@ -113,6 +113,10 @@ template <>
 struct Samples<MonaghanViscosity> {
   static constexpr std::array<Texts, 2> all{"", "alpha = 0.5\nbeta = 0.0"};
 };
+template <>
+struct Samples<LimitedViscosity> {
+  static constexpr std::array<Texts, 2> all{"", "alpha = 2.0\nbeta = 1.0"};
+};
 
 template <>
 struct Samples<AcousticRiemann> {

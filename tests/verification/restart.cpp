@@ -19,9 +19,11 @@ constexpr int steps = 40;  // several neighbour lists long
 /// The impact by each scheme that the space supports, with and without contact; with conversion under way.
 std::vector<std::string> scenes(Space space) {
   const std::string contact = "contact.model = 'kernel-penalty'\n";
-  std::vector<std::string> all{test::impact_scene, contact + test::impact_scene};
+  const std::string limited = "viscosity.model = 'limited'\n";
+  std::vector<std::string> all{test::impact_scene, contact + test::impact_scene, limited + test::impact_scene};
   if (space != Space::plane_stress) {
-    for (const std::string more : {"contact.begins = 'at-faces'\n", "scheme.hourglass_control = 0.1\n"})
+    for (const std::string more :
+         {"contact.begins = 'at-faces'\n", "scheme.hourglass_control = 0.1\n", limited.c_str()})
       all.push_back(contact + "scheme.type = 'total-lagrangian'\n" + more + test::impact_scene);
     all.push_back(
         contact +
@@ -32,8 +34,9 @@ std::vector<std::string> scenes(Space space) {
       all.push_back("scheme = { type = " + type + " }\nsmoothing.kernel = 'truncated-gaussian'\n" + test::impact_scene);
   }
   if (dimensions_of(space) == 2)
-    all.push_back("scheme = { correction = 'mixed', correction_limit = 10.0, artificial_stress = {} }\n" +
-                  test::impact_scene);
+    for (const auto& viscosity : {std::string(), limited})
+      all.push_back("scheme = { correction = 'mixed', correction_limit = 10.0, artificial_stress = {} }\n" + viscosity +
+                    test::impact_scene);
   for (const std::string scheme : {"type = 'godunov-pm'", "type = 'godunov-split', order = 1",
                                    "type = 'godunov-split', order = 2, riemann.model = 'two-shock'",
                                    "type = 'godunov-split', correction = 'mixed'"})

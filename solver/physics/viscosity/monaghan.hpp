@@ -11,6 +11,7 @@ namespace tektite {
 ///   Π = (-α c̄ μ + β μ²)/ρ̄ for approaching particles, μ = h v_ij·x_ij/(r² + 0.01 h²).
 struct MonaghanViscosity {
   static constexpr std::string_view name = "monaghan";
+  static constexpr bool reconstructs = false;  ///< takes the velocities of the particles as they are
   double alpha = 0.0;
   double beta = 0.0;
 

@@ -95,3 +95,15 @@ TEST_CASE("Monaghan's viscosity: the value is that of its equation", "[viscosity
   CHECK(speed == Approx(mu).epsilon(1e-15));
   CHECK(pi == Approx((7.5 * mu + 4.0 * mu * mu) / 10.0).epsilon(1e-14));
 }
+
+TEST_CASE("Limited viscosity: a linear motion is not damped, a jump is as it is, and nothing that recedes",
+          "[viscosity]") {
+  const auto of = [](double approach, double a, double b) { return LimitedViscosity::reconstructed(approach, a, b); };
+  CHECK(of(-3.0, -3.0, -3.0) == 0.0);                       // both gradients explain it
+  CHECK(of(-3.0, 0.0, 0.0) == -3.0);                        // none does
+  CHECK(of(-3.0, -3.0, 0.0) == -3.0);                       // one alone: an edge of a shock
+  CHECK(of(-3.0, -4.0, 1.0) == -3.0);                       // they disagree
+  CHECK(of(-3.0, -2.0, -1.0) == Approx(-3.0 + 4.0 / 3.0));  // eq. 35: φ = 8/9 of the mean 3/2
+  CHECK(of(-3.0, -9.0, -9.0) == 0.0);                       // more than explained
+  CHECK(of(3.0, 5.0, 5.0) == 0.0);
+}
