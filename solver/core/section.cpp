@@ -12,7 +12,10 @@ namespace {
 
 /// As it would be written in a scene, on one line; floating-point numbers with no more digits than they need.
 std::string written(const toml::node& node) {
-  if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
+  if (const auto* number = node.as_floating_point()) {
+    const auto text = fmt::format("{}", number->get());
+    return text.find_first_not_of("-0123456789") == std::string::npos ? text + ".0" : text;  // as no whole number
+  }
   if (const auto* text = node.as_string()) return fmt::format("\"{}\"", text->get());
   std::vector<std::string> parts;
   if (const auto* array = node.as_array()) {

@@ -25,6 +25,7 @@
 #include "parallel/threads.hpp"
 #include "run/angular_momentum.hpp"
 #include "run/floating_point_traps.hpp"
+#include "run/no_contact.hpp"
 #include "run/simulation.hpp"
 #include "run/watch.hpp"
 
@@ -222,7 +223,12 @@ class Run {
   }
 
   void finish() {
-    auto summary = summarise(simulation_, timer_, !over(), watch_.names());
+    auto names = watch_.names();
+    if (const auto warning = simulation_.finished() ? no_contact(simulation_) : std::nullopt) {
+      tell({*warning});
+      names.insert(warning->name);
+    }
+    auto summary = summarise(simulation_, timer_, !over(), std::move(names));
     if (const auto* stop = stops_.met()) summary.stopped_by = fmt::format("{}: {}", stop->name, in_words(*stop));
     write_summary(summary, (folder_ / "solve.json").string());
     if (const auto remark = simulation_.scheme().closing_remark(); !remark.empty()) log_->info("  {}", remark);

@@ -87,7 +87,9 @@ RunSettings read_run_settings(Document& document) {
   time.finish();
 
   auto output = root.section_or_empty("output");
-  settings.snapshot_interval = output.quantity("snapshots", dimension::time, limits::positive, settings.end / 10.0);
+  constexpr double smallest = 1e-30;  // that a scene takes: below, `end` would be right and its tenth refused
+  settings.snapshot_interval =
+      output.quantity("snapshots", dimension::time, limits::positive, std::max(settings.end / 10.0, smallest));
   settings.history_interval = output.integer("history", {1.0, 1e9}, 1);
   output.finish();
 

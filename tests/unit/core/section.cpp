@@ -86,7 +86,7 @@ TEST_CASE("Section: lists of quantities and of points are checked for their leng
 
 TEST_CASE("Section: whole numbers, switches and texts are not guessed from other types") {
   const auto read_count = [](Section& root) { root.integer("x", {1.0, 10.0}); };
-  CHECK_THAT(fault("x = 2.0", read_count), Contains("not a whole number"));
+  CHECK_THAT(fault("x = 2.0", read_count), Contains("x = 2.0: not a whole number"));
   CHECK_THAT(fault("x = \"2\"", read_count), Contains("not a whole number"));
   CHECK_THAT(fault("x = 11", read_count), Contains("x = 11: out of range (allowed: >= 1 and <= 10)"));
   CHECK_THAT(fault("x = 1", [](Section& root) { root.flag("x", false); }),

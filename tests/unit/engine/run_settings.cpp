@@ -77,3 +77,23 @@ TEST_CASE("Run settings: particles of another space or material than the scene's
   CHECK(test::fault_of([&] { check(Space::line, "glass"); }) ==
         "particles.h5: /bodies/bar = glass: the scene has no such material (allowed: metal)");
 }
+
+TEST_CASE("Run settings: the shortest end is not refused for its tenth, which output.snapshots is left out",
+          "[settings]") {
+  const auto settings = settings_of("name = 'test'\nspace = 'line'\ntime.end = 1e-30\n" + metal);
+  CHECK(settings.snapshot_interval == settings.end);
+}
+
+TEST_CASE("Run settings: a history every 7.0 steps is shown as it was written", "[settings]") {
+  CHECK_THAT(test::fault_of([] { settings_of(head + "output.history = 7.0\n" + metal); }),
+             Contains("output.history = 7.0: not a whole number"));
+}
+
+TEST_CASE("Run settings: adaptle has no velocities that a viscosity could reconstruct for both kinds of particles",
+          "[settings]") {
+  CHECK_THAT(
+      test::fault_of([] {
+        settings_of(head + "scheme = { type = 'adaptle', conversion = 'none' }\nviscosity.model = 'limited'\n" + metal);
+      }),
+      Contains("viscosity.model = \"limited\"") && Contains("allowed: monaghan"));
+}
