@@ -42,7 +42,7 @@ std::vector<std::string> msph_impacts(const Particles& particles, const RunSetti
     const double ratio = coarser / finer;
     const auto &thin = row_of(by_thickness, through), &unlike = row_of(by_ratio, ratio);
     const double strong = std::max(thin.strong, unlike.strong), adjoint = std::max(thin.adjoint, unlike.adjoint);
-    const auto place = fmt::format("{} and {}, {:.2g} particles through the thinner one and spacings of 1 to {:.2g}",
+    const auto place = fmt::format("{} and {}, {:.0f} particles through the thinner one and spacings of 1 to {:.3g}",
                                    meeting.first->name, meeting.second->name, through, ratio);
     if (!scheme.adjoint_forces)
       lines.push_back(fmt::format(

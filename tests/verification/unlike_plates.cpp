@@ -38,7 +38,8 @@ TEST_CASE("Unlike plates: pressure, speed and both densities are those of the cr
   const auto exact = match_impedances(steel, aluminium, speed).value();
   const double met = exact.second.pressure / (aluminium.reference_density * exact.second.shock_speed);  // m/s
   for (const std::string scheme :
-       {"type = 'eulerian'", "type = 'total-lagrangian'", "type = 'godunov-split', order = 1",
+       {"type = 'eulerian'", "type = 'total-lagrangian'", "type = 'eulerian' }\nviscosity = { model = 'limited'",
+        "type = 'total-lagrangian' }\nviscosity = { model = 'limited'", "type = 'godunov-split', order = 1",
         "type = 'godunov-split', order = 2", "type = 'godunov-pm'", "type = 'msph', smoothing_share = 0.2"}) {
     INFO(scheme);
     const bool lagrangian = scheme.find("total") != std::string::npos, msph = scheme.find("msph") != std::string::npos;
