@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/program.hpp"
+#include "parallel/ranks.hpp"
 #include "parallel/threads.hpp"
 #include "run/run.hpp"
 #include "stability/analyse.hpp"
@@ -47,6 +48,8 @@ int solve(int argc, const char* const* argv) {
   const int threads = values["threads"].as<int>();
   constexpr int most_threads = 4096;
   if (threads < 0 || threads > most_threads) throw InputError("--threads must be a number from 0 to 4096");
+  if (ranks() > 1 && (values.contains("check") || values.contains("stability")))
+    throw InputError("several processes compute a run, and nothing else");
   if (values.contains("check")) {
     CheckOptions checking{text("check"), std::nullopt, threads};
     if (values.contains("advice")) checking.advice = text("advice");
@@ -70,5 +73,10 @@ int solve(int argc, const char* const* argv) {
 
 int main(int argc, char** argv) {
   wait_briefly(argv);
-  return run_program("tektite-solve", [&] { return solve(argc, argv); });
+  const int code = run_program("tektite-solve", [&] {
+    begin_ranks();
+    return solve(argc, argv);
+  });
+  leave_ranks(code);
+  return code;
 }

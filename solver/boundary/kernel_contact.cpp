@@ -6,6 +6,7 @@
 #include "neighbours/reference_pairs.hpp"
 #include "parallel/for_each_pair.hpp"
 #include "parallel/reduce.hpp"
+#include "parallel/sums.hpp"
 #include "passes/contact_forces.hpp"
 
 namespace tektite {
@@ -75,21 +76,19 @@ double KernelContact<D, Kernel>::energy() {
   const auto* x = particles_.template vectors<D>(Field::position);
   set_places([x](std::size_t i) { return x[i]; });
   evaluate(nullptr, nullptr);
-  return reduce(
-      energy_.size(), 0.0, [this](double& sum, std::size_t i) { sum += energy_[i]; },
-      [](double& whole, double part) { whole += part; });
+  return sum_over<1>(particles_, [this](std::size_t i) { return std::array{energy_[i]}; })[0];
 }
 
 template <int D, class Kernel>
 typename TimeStepLimit<D>::Least KernelContact<D, Kernel>::stable_step(double courant) const {
+  const auto* id = particles_.integers(Field::id).data();
   const double* mass = particles_.scalars(Field::mass);
   const double* stiffness = particles_.scalars(Field::contact_stiffness);
   const auto limit = [&](typename TimeStepLimit<D>::Least& least, std::size_t i) {
     const double dt = courant * std::sqrt(limit_of(2.0 * mass[i], stiffness[i]));
-    if (dt < least.dt) least = {dt, i, StepLimit::contact};
+    if (dt <= least.dt) TimeStepLimit<D>::join(least, {dt, id[i], StepLimit::contact});
   };
-  return reduce(particles_.count(), typename TimeStepLimit<D>::Least{std::numeric_limits<double>::infinity()}, limit,
-                TimeStepLimit<D>::join);
+  return reduce(particles_, typename TimeStepLimit<D>::Least{}, limit, TimeStepLimit<D>::join);
 }
 
 template <int D, class Kernel>

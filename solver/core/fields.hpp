@@ -16,7 +16,10 @@ enum class Field {
 };
 
 enum class Rank { scalar, vector, symmetric, tensor, integer };
-enum class Keep { result, restart, scratch };
+enum class Keep { result, restart, part, scratch };
+
+/// Whether a snapshot has it.
+constexpr bool saved(Keep keep) { return keep == Keep::result || keep == Keep::restart; }
 
 struct FieldInfo {
   Field field;

@@ -30,6 +30,7 @@ Particles::Particles(Space space, std::vector<Body> bodies) : space_(space), bod
 }
 
 void Particles::allocate(Field field, std::size_t spare) {
+  allocated_[slot(field)] = true;
   const std::size_t size = (count_ + spare) * static_cast<std::size_t>(components(field));
   if (info(field).rank == Rank::integer)
     integers_[slot(field)].resize(size);
@@ -38,29 +39,30 @@ void Particles::allocate(Field field, std::size_t spare) {
 }
 
 void Particles::release(Field field) {
+  allocated_[slot(field)] = false;
   reals_[slot(field)] = {};
   integers_[slot(field)] = {};
 }
 
-bool Particles::has(Field field) const { return !reals_[slot(field)].empty() || !integers_[slot(field)].empty(); }
+bool Particles::has(Field field) const { return allocated_[slot(field)]; }
 
 std::span<double> Particles::reals(Field field) {
-  expect(!reals_[slot(field)].empty(), field);
+  expect(allocated_[slot(field)], field);
   return reals_[slot(field)];
 }
 
 std::span<const double> Particles::reals(Field field) const {
-  expect(!reals_[slot(field)].empty(), field);
+  expect(allocated_[slot(field)], field);
   return reals_[slot(field)];
 }
 
 std::span<std::int64_t> Particles::integers(Field field) {
-  expect(!integers_[slot(field)].empty(), field);
+  expect(allocated_[slot(field)], field);
   return integers_[slot(field)];
 }
 
 std::span<const std::int64_t> Particles::integers(Field field) const {
-  expect(!integers_[slot(field)].empty(), field);
+  expect(allocated_[slot(field)], field);
   return integers_[slot(field)];
 }
 

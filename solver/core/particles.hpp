@@ -83,6 +83,7 @@ class Particles {
   Space space_ = Space::line;
   std::size_t count_ = 0;
   std::vector<Body> bodies_;
+  std::array<bool, field_count> allocated_{};  ///< also of a rank that has no particles
   std::array<std::vector<double>, field_count> reals_;
   std::array<std::vector<std::int64_t>, field_count> integers_;
 };

@@ -86,7 +86,7 @@ void write_snapshot(const Snapshot& snapshot, const std::string& path) {
     }
     file.group("/particles");
     for (const auto& row : field_table) {
-      if (row.keep == Keep::scratch || !particles.has(row.field)) continue;
+      if (!saved(row.keep) || !particles.has(row.field)) continue;
       const auto object = fmt::format("/particles/{}", row.name);
       const auto columns = static_cast<std::size_t>(particles.components(row.field));
       if (row.rank == Rank::integer)
@@ -121,7 +121,7 @@ Snapshot read_whole(const std::string& path) {
   for (const auto& member : file.members("/particles")) {
     const auto field = field_named(member);
     const auto object = "/particles/" + member;
-    if (!field || info(*field).keep == Keep::scratch) throw broken(file, object, "no such field");
+    if (!field || !saved(info(*field).keep)) throw broken(file, object, "no such field");
     const auto columns = static_cast<std::size_t>(particles.components(*field));
     if (info(*field).rank == Rank::integer) {
       const auto values = file.integers(object, particles.count(), columns);

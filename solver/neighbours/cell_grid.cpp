@@ -52,16 +52,11 @@ auto CellGrid<D>::around(std::size_t cell) const -> std::array<std::size_t, arou
 }
 
 template <int D>
-void CellGrid<D>::build(std::span<const Vector<double, D>> positions, double side) {
+void CellGrid<D>::build(std::span<const Vector<double, D>> positions, double side, const Extent<D>& extent) {
   side_ = side;
-  origin_ = positions.front();
-  auto upper = origin_;
-  for (const auto& x : positions)
-    for (int k = 0; k < D; ++k) {
-      origin_[k] = std::min(origin_[k], x[k]);
-      upper[k] = std::max(upper[k], x[k]);
-    }
-  const double most = 2.0 * static_cast<double>(positions.size()) + 256.0;
+  origin_ = extent.box.lower;
+  const auto& upper = extent.box.upper;
+  const double most = 2.0 * static_cast<double>(extent.count) + 256.0;
   double total = 1.0;
   for (int k = 0; k < D; ++k) {
     const double wanted = std::min((upper[k] - origin_[k]) / side_ + 1.0, most);

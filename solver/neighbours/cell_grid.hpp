@@ -10,14 +10,37 @@
 
 #include "core/particles.hpp"
 #include "core/tensor.hpp"
+#include "passes/vector_box.hpp"
 
 namespace tektite {
+
+/// Where places lie, and how many they are: what a grid is laid out by.
+template <int D>
+struct Extent {
+  VectorBox<D> box;
+  std::size_t count = 0;
+
+  static Extent of(std::span<const Vector<double, D>> places) {
+    Extent extent;
+    extent.count = places.size();
+    for (const auto& x : places) extent.box.take(x);
+    return extent;
+  }
+  static void join(Extent& whole, const Extent& part) {
+    VectorBox<D>::join(whole.box, part.box);
+    whole.count += part.count;
+  }
+};
 
 template <int D>
 class CellGrid {
  public:
   /// Sorts the positions into cells of this side length in m.
-  void build(std::span<const Vector<double, D>> positions, double side);
+  void build(std::span<const Vector<double, D>> positions, double side) {
+    build(positions, side, Extent<D>::of(positions));
+  }
+  /// The same with the cells that places of this extent have, of which these are a part.
+  void build(std::span<const Vector<double, D>> positions, double side, const Extent<D>& extent);
 
   std::size_t cells() const { return first_.size() - 1; }
   /// Which cell a place is in.

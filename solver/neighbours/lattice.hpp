@@ -3,6 +3,7 @@
 // offsets, so no list of them is needed, and what particles side by side read lies side by side.
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -24,10 +25,33 @@ class Lattice {
  public:
   static constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
 
+  using Point = std::array<std::ptrdiff_t, D>;
+
   struct Neighbour {
     std::ptrdiff_t rows, columns;  ///< from the particle's cell to its own
     Vector<double, D> x;           ///< X_a - X_b, m
+    Point steps;                   ///< the same in spacings, the axis of the planes first and that of the rows last
   };
+
+  /// What follows from all members of a lattice, of which a rank may have a part: on it hang the order of neighbours,
+  /// and whether there is a lattice at all.
+  struct Frame {
+    Vector<double, D> anchor;  ///< a lattice point
+    double spacing = 0.0;
+    Point low = filled(std::numeric_limits<std::ptrdiff_t>::max());  ///< of the box, from the anchor
+    Point high = filled(std::numeric_limits<std::ptrdiff_t>::min());
+    std::size_t count = 0;
+    bool sound = true;  ///< nobody is off the lattice
+
+    static void join(Frame& whole, const Frame& part);
+    static Point filled(std::ptrdiff_t value) {
+      Point point;
+      point.fill(value);
+      return point;
+    }
+  };
+  static Frame frame_of(std::span<const Vector<double, D>> places, std::span<const std::uint32_t> members,
+                        const Vector<double, D>& anchor, double spacing);
 
   /// A pack that has to be visited: its first cell, counted row by row, and the first lane that counts, since a pack at
   /// a row's end may begin with cells of the one before.
@@ -39,6 +63,9 @@ class Lattice {
   /// not lie on one of this spacing, where two share a cell, or where the box would be nearly empty.
   static std::optional<Lattice> find(std::span<const Vector<double, D>> places, std::span<const std::uint32_t> members,
                                      double spacing, double support);
+  /// The same of members of a lattice of this frame; there may be none.
+  static std::optional<Lattice> find(std::span<const Vector<double, D>> places, std::span<const std::uint32_t> members,
+                                     double support, const Frame& whole);
 
   /// The record in each cell, row by row.
   std::span<const std::uint32_t> records() const { return records_; }

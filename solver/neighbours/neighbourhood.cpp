@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/saved_number.hpp"
+#include "neighbours/extent.hpp"
 #include "neighbours/order.hpp"
 #include "neighbours/reference_pairs.hpp"
 #include "parallel/for_each.hpp"
@@ -51,6 +52,7 @@ auto Neighbourhood<D>::approach(double dt) -> Approach {
       near = std::max(near, both.diagonal(mirror_.planes()));
     }
   };
+  each_over_ranks(particles, boxes_, Box::join);
   const double near =
       reduce(regions_.cells(), 0.0, widest, [](double& whole, double part) { whole = std::max(whole, part); });
   Box all{};
@@ -59,16 +61,26 @@ auto Neighbourhood<D>::approach(double dt) -> Approach {
 }
 
 template <int D>
+bool Neighbourhood<D>::due(double dt) {
+  const auto nearer = approach(dt);
+  return !(nearer.near <= reach_ - support_ && nearer.far <= (region_side - 1.0) * support_);
+}
+
+template <int D>
 bool Neighbourhood<D>::prepare(double dt) {
-  if (reach_ > 0.0) {
-    const auto nearer = approach(dt);
-    if (nearer.near <= reach_ - support_ && nearer.far <= (region_side - 1.0) * support_) return false;
-  }
+  if (reach_ > 0.0 && (distributed(particles_) || !due(dt))) return false;
   return renew(dt);
 }
 
 template <int D>
 bool Neighbourhood<D>::renew(double dt) {
+  const bool ordered = begin(dt);
+  list();
+  return ordered;
+}
+
+template <int D>
+bool Neighbourhood<D>::begin(double dt) {
   const bool orders = search_.orders && searches_since_order_ % searches_per_order == 0;
   if (orders) order_in_space<D>(particles_, support_);
   searches_since_order_ = orders ? 1 : searches_since_order_ + 1;
@@ -76,8 +88,14 @@ bool Neighbourhood<D>::renew(double dt) {
   std::copy(positions.begin(), positions.end(), particles_.reals(search_.positions).begin());
   find_regions();
   reach_ = support_ + std::max(skin_fraction * support_, least_half_steps * approach(dt).near);
-  list();
   return orders;
+}
+
+template <int D>
+Halo Neighbourhood<D>::halo(const std::map<std::string, double>& state, int sweeps) const {
+  const auto reach = state.find(search_.name + "_reach");
+  if (reach == state.end()) return {sweeps * (1.0 + skin_fraction) * support_, Field::position};
+  return {sweeps * reach->second, search_.positions};
 }
 
 template <int D>
@@ -98,7 +116,9 @@ void Neighbourhood<D>::restore(const std::map<std::string, double>& state) {
 template <int D>
 void Neighbourhood<D>::find_regions() {
   const Particles& particles = particles_;
-  regions_.build({particles.vectors<D>(search_.positions), particles.count()}, region_side * support_);
+  const auto* places = particles.vectors<D>(search_.positions);
+  regions_.build({places, particles.count()}, region_side * support_,
+                 extent_of_owned<D>(particles, {0, particles.count()}, places));
 }
 
 template <int D>
@@ -108,7 +128,7 @@ void Neighbourhood<D>::list() {
   places_.assign(x, x + particles_.count());
   mirror_.find(places_, reach_);
   CellGrid<D> grid;
-  grid.build(places_, reach_);
+  grid.build(places_, reach_, extent_of_all<D>(particles_, places_));
   auto body = body_of_each(particles_);
   mirror_.repeat(body);
   const auto build = [&](const std::vector<std::uint8_t>& listed) {

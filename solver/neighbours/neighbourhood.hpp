@@ -12,6 +12,7 @@
 #include "core/particles.hpp"
 #include "neighbours/cell_grid.hpp"
 #include "neighbours/pair_list.hpp"
+#include "parallel/halo.hpp"
 #include "passes/vector_box.hpp"
 
 namespace tektite {
@@ -36,9 +37,16 @@ class Neighbourhood {
   Neighbourhood(Particles& particles, double support, std::vector<SymmetryPlane> planes, Search search = {});
 
   /// Makes the list good for the positions in the middle of a step dt. True where the particles were ordered anew.
+  /// Where they are distributed, that is due before, because the other ranks' particles have to be fetched in between.
   bool prepare(double dt);
   /// Makes the list anew, whatever has moved. True where the particles were ordered anew.
   bool renew(double dt);
+  /// Whether the list is not good for the middle of a step dt.
+  bool due(double dt);
+  /// renew() up to the list: order, places and reach. True where the particles were ordered anew.
+  bool begin(double dt);
+  /// What so many sweeps one behind the other reach, with the list that `state` has or with the first one.
+  Halo halo(const std::map<std::string, double>& state, int sweeps) const;
   /// Lists again from the places of the last search, after particles have got another kind of kernel.
   void list();
   /// Puts what belongs to the present list, beside the particles, into `state`; restore() makes the same list from

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/kernel_type.hpp"
+#include "neighbours/extent.hpp"
 
 namespace tektite {
 
@@ -28,13 +29,14 @@ ReferencePlaces<D>::ReferencePlaces(const Particles& particles, Mirror<D>& mirro
   x.assign(own, own + particles.count());
   mirror.find(x, support);
   mirror.repeat(body);
+  extent = extent_of_all<D>(particles, x);
 }
 
 template <int D>
 PairList reference_pairs(const ReferencePlaces<D>& places, std::size_t count, double support,
                          std::span<const std::uint8_t> listed) {
   CellGrid<D> grid;
-  grid.build(places.x, support);
+  grid.build(places.x, support, places.extent);
   PairList pairs;
   pairs.build<D>(grid, places.x, count, support, Pairing::within_bodies, places.body, listed);
   return pairs;

@@ -2,6 +2,7 @@
 
 #include "boundary/mirror.hpp"
 #include "core/particles.hpp"
+#include "neighbours/cell_grid.hpp"
 #include "neighbours/pair_list.hpp"
 
 namespace tektite {
@@ -17,6 +18,7 @@ template <int D>
 struct ReferencePlaces {
   std::vector<Vector<double, D>> x;
   std::vector<std::uint32_t> body;
+  Extent<D> extent;  ///< of all ranks
 
   /// Finds the images of `mirror` that are nearer than `support` to it.
   ReferencePlaces(const Particles& particles, Mirror<D>& mirror, double support);

@@ -20,7 +20,7 @@ void copy(std::span<const T> from, std::span<T> to) {
 void copy_kept_fields(const Particles& from, Particles& to) {
   if (to.count() == 0) to = Particles(from.space(), from.bodies());
   for (const auto& row : field_table) {
-    if (row.keep == Keep::scratch || !from.has(row.field)) continue;
+    if (!saved(row.keep) || !from.has(row.field)) continue;
     to.allocate(row.field);
     const auto numbers = from.count() * static_cast<std::size_t>(from.components(row.field));
     if (row.rank == Rank::integer)

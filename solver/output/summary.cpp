@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 
@@ -40,7 +41,7 @@ RunSummary summarise(const Simulation& simulation, const RunTimer& timer, bool i
   RunSummary summary;
   const auto& particles = simulation.particles();
   summary.scheme = simulation.settings().scheme.type;
-  summary.particles = particles.count();
+  summary.particles = simulation.count();
   summary.steps = simulation.steps();
   summary.time = simulation.time();
   summary.contact_time = simulation.contact_time();
@@ -49,10 +50,11 @@ RunSummary summarise(const Simulation& simulation, const RunTimer& timer, bool i
   summary.cpu_seconds = timer.cpu_seconds();
   double computing = 0.0;
   for (const auto& [name, seconds] : simulation.profile().seconds()) computing += seconds;
-  const double particle_steps = static_cast<double>(simulation.steps_taken()) * static_cast<double>(particles.count());
+  const double particle_steps = static_cast<double>(simulation.steps_taken()) * static_cast<double>(simulation.count());
   summary.particle_steps_per_second = computing > 0.0 ? particle_steps / computing : 0.0;  // a run may be over already
   summary.peak_memory_bytes = peak_memory();
-  summary.bytes_per_particle = (particles.memory() + simulation.scheme().memory()) / particles.count();
+  summary.bytes_per_particle =
+      (particles.memory() + simulation.scheme().memory()) / std::max<std::size_t>(particles.count(), 1);
   const auto ledger = simulation.ledger();
   summary.energy_drift = simulation.energy_drift(ledger);
   summary.momentum_drift = simulation.momentum_drift(ledger);

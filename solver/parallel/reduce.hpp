@@ -1,9 +1,12 @@
 #pragma once
 // Reductions whose order does not depend on the number of threads: parts of fixed size, then the parts one by one.
+// Sums over particles are those of sums.hpp, which do not depend on the ranks either.
 
 #include <algorithm>
 #include <cstddef>
 #include <vector>
+
+#include "parallel/ranks.hpp"
 
 namespace tektite {
 
@@ -27,6 +30,13 @@ Value reduce(std::size_t count, const Value& start, const Body& body, const Join
   Value whole = start;
   for (const auto& part : values) join(whole, part.value);
   return whole;
+}
+
+/// Over the particles of all ranks, those that several have taken several times: for what does not depend on that, nor
+/// on any order, such as the least value.
+template <class Value, class Body, class Join>
+Value reduce(const Particles& particles, const Value& start, const Body& body, const Join& join) {
+  return over_ranks(particles, reduce(particles.count(), start, body, join), join);
 }
 
 }  // namespace tektite

@@ -12,6 +12,7 @@ template <int D, class Motion>
 struct AcousticStepLimit {
   using Least = typename TimeStepLimit<D>::Least;
 
+  const std::int64_t* id;
   double courant;
   const double* smoothing_length;
   const double* wave_speed;
@@ -21,7 +22,7 @@ struct AcousticStepLimit {
   void operator()(Least& least, std::size_t i) const {
     const double limit = limit_of(courant * smoothing_length[i], wave_speed[i] + motion(i));
     const double dt = density[i] > 0.0 && limit > 0.0 ? limit : 0.0;
-    if (dt < least.dt) least = {dt, i, StepLimit::sound};
+    if (dt <= least.dt) TimeStepLimit<D>::join(least, {dt, id[i], StepLimit::sound});
   }
 };
 

@@ -11,10 +11,11 @@ namespace tektite {
 
 /// Whether the supports of two particles of different bodies overlap so that they act on each other: r < support · h̄.
 template <class Record>
-bool body_contact(const PairList& list, const std::vector<Body>& bodies, const std::vector<Record>& records,
+bool body_contact(const PairList& list, const Particles& particles, const std::vector<Record>& records,
                   double support) {
+  const auto& bodies = particles.bodies();
   if (bodies.size() < 2) return false;
-  const std::size_t count = bodies.back().range.end;
+  const std::size_t count = particles.count();
   const auto touches = [&](bool& found, std::size_t b) {
     const auto& block = list.blocks()[b];
     for (std::size_t k = 0; k + 1 < block.first.size() && !found; ++k) {
@@ -29,7 +30,8 @@ bool body_contact(const PairList& list, const std::vector<Body>& bodies, const s
       }
     }
   };
-  return reduce(list.blocks().size(), false, touches, [](bool& whole, bool part) { whole = whole || part; });
+  const auto either = [](bool& whole, bool part) { whole = whole || part; };
+  return over_ranks(particles, reduce(list.blocks().size(), false, touches, either), either);
 }
 
 }  // namespace tektite

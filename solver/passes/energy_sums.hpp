@@ -1,19 +1,16 @@
 #pragma once
 
+#include <array>
+
 #include "core/tensor.hpp"
 
 namespace tektite {
 
-/// The ledger: energies in J and momentum in kg m/s (per metre of thickness in the plane, per square metre on a line).
+/// What a particle adds to the ledger: kinetic, internal, plastic and viscous energy in J, and momentum in kg m/s (per
+/// metre of thickness in the plane, per square metre on a line).
 template <int D>
 struct EnergySums {
-  struct Sums {
-    double kinetic = 0.0;
-    double internal = 0.0;
-    double plastic = 0.0;
-    double viscous = 0.0;
-    Vector<double, D> momentum = Vector<double, D>::zero();
-  };
+  static constexpr std::size_t count = 4 + D;
 
   const double* mass;
   const Vector<double, D>* velocity;
@@ -21,20 +18,12 @@ struct EnergySums {
   const double* plastic_work;  ///< may be null where nothing yields
   const double* viscous_work;  ///< may be null where nothing is viscous
 
-  void operator()(Sums& sums, std::size_t i) const {
+  std::array<double, count> operator()(std::size_t i) const {
     const double m = mass[i];
-    sums.kinetic += 0.5 * m * dot(velocity[i], velocity[i]);
-    sums.internal += m * energy[i];
-    if (plastic_work) sums.plastic += m * plastic_work[i];
-    if (viscous_work) sums.viscous += m * viscous_work[i];
-    sums.momentum += m * velocity[i];
-  }
-  static void join(Sums& whole, const Sums& part) {
-    whole.kinetic += part.kinetic;
-    whole.internal += part.internal;
-    whole.plastic += part.plastic;
-    whole.viscous += part.viscous;
-    whole.momentum += part.momentum;
+    std::array<double, count> terms{0.5 * m * dot(velocity[i], velocity[i]), m * energy[i],
+                                    plastic_work ? m * plastic_work[i] : 0.0, viscous_work ? m * viscous_work[i] : 0.0};
+    for (int k = 0; k < D; ++k) terms[static_cast<std::size_t>(4 + k)] = m * velocity[i][k];
+    return terms;
   }
 };
 

@@ -263,7 +263,7 @@ struct LagrangianForces
       acceleration[i][k] = over_mass * (push[k] + self.volume * lanes.sum(sums.pull[k])) -
                            0.5 * over_jacobian * lanes.sum(sums.viscous[k]);
     viscous_power[i] = 0.25 * over_jacobian * lanes.sum(sums.heat);
-    viscous_signal[i] = lanes.largest(sums.signal);
+    viscous_signal[i] = lanes.largest(sums.signal) + 0.0;  // or zero had the sign of who stands beside in a pack
   }
 
  private:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 
 #include "core/tensor.hpp"
@@ -42,11 +43,14 @@ inline double limit_of(double a, double b) { return b == 0.0 ? a + std::numeric_
 template <int D>
 struct TimeStepLimit {
   struct Least {
-    double dt;
-    std::size_t particle = 0;
+    double dt = std::numeric_limits<double>::infinity();
+    std::int64_t particle = std::numeric_limits<std::int64_t>::max();  ///< id; of several the least
     StepLimit reason = StepLimit::sound;
+
+    bool before(const Least& other) const { return dt < other.dt || (dt == other.dt && particle < other.particle); }
   };
 
+  const std::int64_t* id;
   double courant;
   double alpha;
   double beta;
@@ -69,13 +73,12 @@ struct TimeStepLimit {
     const double force = courant * std::sqrt(limit_of(h, norm(acceleration[i])));
     const bool sane = density[i] > 0.0 && signal > 0.0 && force > 0.0;
     const double dt = sane ? (signal < force ? signal : force) : 0.0;
-    if (dt < least.dt) {
-      const auto reason = viscous > wave_speed[i] ? StepLimit::viscosity : StepLimit::sound;
-      least = {dt, i, signal < force ? reason : StepLimit::acceleration};
-    }
+    if (dt > least.dt) return;
+    const auto reason = viscous > wave_speed[i] ? StepLimit::viscosity : StepLimit::sound;
+    join(least, {dt, id[i], signal < force ? reason : StepLimit::acceleration});
   }
   static void join(Least& whole, const Least& part) {
-    if (part.dt < whole.dt) whole = part;
+    if (part.before(whole)) whole = part;
   }
 };
 

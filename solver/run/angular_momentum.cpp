@@ -1,9 +1,11 @@
 #include "run/angular_momentum.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/tensor.hpp"
 #include "parallel/reduce.hpp"
+#include "parallel/sums.hpp"
 
 namespace tektite {
 namespace {
@@ -11,22 +13,6 @@ namespace {
 /// What is slower than this part of its own speed, as seen by who flies along with the centre of mass, does not turn:
 /// it is what round-off, 1e-16 of the speed a step, has left after any number of steps.
 constexpr double next_to_rest = 1e-9;
-
-/// Places are taken from the first particle, so that far from the origin nothing is lost to round-off.
-template <int D>
-struct Moments {
-  double mass = 0.0;
-  Vector<double, D> position = Vector<double, D>::zero(), velocity = Vector<double, D>::zero();  ///< times the mass
-  Vector<double, 3> turning = Vector<double, 3>::zero();                                         ///< m x × v
-
-  Moments& operator+=(const Moments& part) {
-    mass += part.mass;
-    position += part.position;
-    velocity += part.velocity;
-    turning += part.turning;
-    return *this;
-  }
-};
 
 template <int D>
 Vector<double, 3> cross(const Vector<double, D>& a, const Vector<double, D>& b) {
@@ -39,22 +25,60 @@ Vector<double, 3> cross(const Vector<double, D>& a, const Vector<double, D>& b) 
   return product;
 }
 
+/// Mass, position and velocity times mass, and m x × v.
 template <int D>
-Moments<D> moments_of(const Particles& p) {
+struct Moments {
+  double mass;
+  Vector<double, D> position, velocity;
+  Vector<double, 3> turning;
+};
+
+/// Where the particle of the least id is: from there places are taken, so that far from the origin nothing is lost to
+/// round-off.
+template <int D>
+Vector<double, D> first_place(const Particles& p) {
+  struct First {
+    std::int64_t id = std::numeric_limits<std::int64_t>::max();
+    Vector<double, D> x = Vector<double, D>::zero();
+  };
+  const auto join = [](First& whole, const First& part) {
+    if (part.id < whole.id) whole = part;
+  };
+  return reduce(
+             p, First{},
+             [=, id = p.integers(Field::id).data(), x = p.vectors<D>(Field::position)](First& first, std::size_t i) {
+               if (id[i] < first.id) first = {id[i], x[i]};
+             },
+             join)
+      .x;
+}
+
+template <int D>
+Moments<D> moments_of(const Particles& p, const Vector<double, D>& origin) {
   const double* mass = p.scalars(Field::mass);
   const auto *x = p.vectors<D>(Field::position), *v = p.vectors<D>(Field::velocity);
-  return reduce(
-      p.count(), Moments<D>{},
-      [=](Moments<D>& sums, std::size_t i) {
-        const auto arm = x[i] - x[0];
-        sums += {mass[i], mass[i] * arm, mass[i] * v[i], mass[i] * cross(arm, v[i])};
-      },
-      [](Moments<D>& whole, const Moments<D>& part) { whole += part; });
+  const auto sums = sum_over<1 + 2 * D + 3>(p, [=](std::size_t i) {
+    const auto arm = mass[i] * (x[i] - origin), turning = cross(arm, v[i]);
+    std::array<double, 1 + 2 * D + 3> terms{mass[i]};
+    for (int k = 0; k < D; ++k) {
+      terms[static_cast<std::size_t>(1 + k)] = arm[k];
+      terms[static_cast<std::size_t>(1 + D + k)] = mass[i] * v[i][k];
+    }
+    for (int k = 0; k < 3; ++k) terms[static_cast<std::size_t>(1 + 2 * D + k)] = turning[k];
+    return terms;
+  });
+  Moments<D> moments{sums[0], {}, {}, {}};
+  for (int k = 0; k < D; ++k) {
+    moments.position[k] = sums[static_cast<std::size_t>(1 + k)];
+    moments.velocity[k] = sums[static_cast<std::size_t>(1 + D + k)];
+  }
+  for (int k = 0; k < 3; ++k) moments.turning[k] = sums[static_cast<std::size_t>(1 + 2 * D + k)];
+  return moments;
 }
 
 template <int D>
 std::vector<double> about_centre(const Particles& p) {
-  const auto moments = moments_of<D>(p);
+  const auto moments = moments_of<D>(p, first_place<D>(p));
   const auto of_centre = (1.0 / moments.mass) * cross(moments.position, moments.velocity);
   std::vector<double> components;
   for (const int axis : axes_of_turning(p.space())) components.push_back(moments.turning[axis] - of_centre[axis]);
@@ -63,16 +87,14 @@ std::vector<double> about_centre(const Particles& p) {
 
 template <int D>
 double largest(const Particles& p) {
-  const auto moments = moments_of<D>(p);
+  const auto origin = first_place<D>(p);
+  const auto moments = moments_of<D>(p, origin);
   const double* mass = p.scalars(Field::mass);
   const auto *x = p.vectors<D>(Field::position), *v = p.vectors<D>(Field::velocity);
-  const auto centre = x[0] + (1.0 / moments.mass) * moments.position, mean = (1.0 / moments.mass) * moments.velocity;
-  return reduce(
-      p.count(), 0.0,
-      [&](double& sum, std::size_t i) {
-        sum += mass[i] * norm(x[i] - centre) * std::max(norm(v[i] - mean), next_to_rest * norm(v[i]));
-      },
-      [](double& whole, double part) { whole += part; });
+  const auto centre = origin + (1.0 / moments.mass) * moments.position, mean = (1.0 / moments.mass) * moments.velocity;
+  return sum_over<1>(p, [&](std::size_t i) {
+    return std::array{mass[i] * norm(x[i] - centre) * std::max(norm(v[i] - mean), next_to_rest * norm(v[i]))};
+  })[0];
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <csignal>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -22,8 +23,9 @@
 #include "output/progress.hpp"
 #include "output/snapshot_writer.hpp"
 #include "output/summary.hpp"
+#include "parallel/ranks.hpp"
+#include "parallel/shared_snapshot.hpp"
 #include "parallel/threads.hpp"
-#include "run/angular_momentum.hpp"
 #include "run/floating_point_traps.hpp"
 #include "run/no_contact.hpp"
 #include "run/simulation.hpp"
@@ -85,12 +87,13 @@ class Run {
         stops_(make_stops()),
         watch_(resumed_ ? Watch(simulation_.save({}).state) : Watch()),
         history_(make_history()) {
-    log_->info("tektite {} on {}, {} threads: {} from {}", version, host(), threads_in_use(),
+    log_->info("tektite {} on {}, {}{} threads: {} from {}", version, host(),
+               ranks() > 1 ? fmt::format("{} ranks of ", ranks()) : "", threads_in_use(),
                resumed_ ? "resumed" : "started", origin.file);
-    const auto& particles = simulation_.particles();
+    const auto& particles = simulation_.whole();
     for (const auto& body : particles.bodies())
       log_->info("  {}: {} particles of {}, spacing {:g} m", body.name, body.range.size(), body.material, body.spacing);
-    if (const auto remark = simulation_.scheme().remark(); !remark.empty()) log_->info("  {}", remark);
+    if (const auto remark = simulation_.remark(); !remark.empty()) log_->info("  {}", remark);
     if (!resumed_) {
       for (const auto& line : probes_.in_words(particles)) log_->info("  {}", line);
       write_history();
@@ -145,7 +148,7 @@ class Run {
  private:
   Probes make_probes() {
     const auto& wanted = simulation_.settings().probes;
-    return resumed_ ? Probes(wanted, simulation_.save({}).state) : Probes(wanted, simulation_.particles());
+    return resumed_ ? Probes(wanted, simulation_.save({}).state) : Probes(wanted, simulation_.whole());
   }
   History make_history() {
     const auto path = (folder_ / "history.csv").string();
@@ -155,7 +158,7 @@ class Run {
   StopConditions make_stops() {
     const auto& wanted = simulation_.settings().stops;
     return resumed_ ? StopConditions(wanted, simulation_.save({}).state, columns_)
-                    : StopConditions(wanted, simulation_.particles(), columns_);
+                    : StopConditions(wanted, simulation_.whole(), columns_);
   }
 
   /// At its end, or stopped by a condition.
@@ -196,7 +199,7 @@ class Run {
     log_->info("  t = {:<9} step {:<7} {}", shown_time(begun_.time), begun_.step, begun_.path);
   }
 
-  void look() { tell(watch_.look(simulation_.particles(), simulation_.settings(), simulation_.scheme().warnings())); }
+  void look() { tell(watch_.look(simulation_.whole(), simulation_.settings(), simulation_.warnings())); }
 
   void tell(const std::vector<Warning>& warnings) {
     if (!warnings.empty()) progress_.clear();
@@ -208,9 +211,11 @@ class Run {
     const auto& last = simulation_.last_step();
     ledger_ = simulation_.ledger();
     simulation_.note(ledger_);
-    const auto& particles = simulation_.particles();
+    const auto& settings = simulation_.settings();
+    const bool looked_at = !settings.probes.empty() || !settings.stops.empty();  // all particles, on the first rank
+    const auto& particles = looked_at ? simulation_.whole() : simulation_.particles();
     const bool first = simulation_.steps() == 0;
-    const auto numbers = numbers_of(ledger_, angular_momentum_of(particles), probes_.values(particles));
+    const auto numbers = numbers_of(ledger_, simulation_.angular_momentum(), probes_.values(particles));
     history_.write({simulation_.steps(), simulation_.time(), first ? 0.0 : last.dt,
                     first ? "start" : name_of(last.reason), simulation_.limiting_particle(), numbers});
     if (event_has_begun()) stops_.look(simulation_.time(), particles, numbers);
@@ -219,7 +224,7 @@ class Run {
   void show_progress() {
     const auto& last = simulation_.last_step();
     progress_.show({simulation_.steps(), simulation_.time(), simulation_.end(), last.dt, name_of(last.reason),
-                    simulation_.energy_drift(ledger_), simulation_.particles().count()});
+                    simulation_.energy_drift(ledger_), simulation_.count()});
   }
 
   void finish() {
@@ -299,16 +304,45 @@ bool end_of(Run& run) {
   }
 }
 
+/// Gives the others what they need, or, on them, takes it: whether the run is resumed.
+bool share(Snapshot& snapshot, bool resumed) {
+  if (ranks() == 1) return resumed;
+  share_snapshot(snapshot);
+  return from_first_rank({resumed ? Word{1} : Word{0}}).front() != 0;
+}
+
+/// A rank beside the first one: it has no files, says nothing, and is ended by the first one alone.
+bool follow(const RunOptions& options) {
+  std::signal(SIGINT, SIG_IGN);
+  std::signal(SIGTERM, SIG_IGN);
+  Snapshot snapshot;
+  const bool resumed = share(snapshot, false);
+  use_threads(options.threads, std::numeric_limits<std::size_t>::max());
+  if (options.trap_floating_point) trap_floating_point();
+  auto document = scene_of(snapshot, options.folder);
+  auto settings = read_run_settings(document);
+  try {
+    Simulation simulation(std::move(snapshot), std::move(settings), resumed);
+    simulation.follow();
+  } catch (const InputError&) {
+    from_first_rank({});  // which comes to it too, tells it, and ends all
+  } catch (const RunError&) {
+    from_first_rank({});
+  }
+  return true;
+}
+
 }  // namespace
 
 bool run(const RunOptions& options) {
+  if (rank() > 0) return follow(options);
   if (!fs::is_directory(options.folder))
     throw InputError({{options.folder, 0}, {}, {}, "there is no such folder", "the folder of a run"});
   const auto lock = options.lock < 0 ? std::make_unique<RunLock>(options.folder)
                                      : std::make_unique<RunLock>(options.folder, options.lock);
   const auto origin = find_origin(options);
   auto snapshot = read_snapshot(origin.file);
-  use_threads(options.threads, snapshot.particles.count());
+  use_threads(options.threads, snapshot.particles.count() / static_cast<std::size_t>(ranks()));
   auto document = scene_of(snapshot, origin.file);
   if (!options.end.empty()) document.set("time.end=" + options.end, "--end " + options.end);
   auto settings = settings_of(snapshot, origin.file, document);
@@ -319,12 +353,15 @@ bool run(const RunOptions& options) {
   watch_signals();
   if (options.trap_floating_point) trap_floating_point();
   const RunTimer timer;
+  share(snapshot, origin.snapshot);
   try {
     Simulation simulation(std::move(snapshot), std::move(settings), origin.snapshot);
     check_probed_fields(document, simulation.settings(), simulation.particles());
     if (!options.end.empty()) check_end(simulation, options);
     Run run(options.folder, origin, timer, simulation, !options.end.empty());
-    return end_of(run);
+    const bool over = end_of(run);
+    simulation.dismiss();
+    return over;
   } catch (const MissingNumber& missing) {
     throw InputError({{origin.file, 0}, missing.what(), {}, "is missing", "a snapshot of this scene, whole"});
   }

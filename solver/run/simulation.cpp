@@ -3,13 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "boundary/walls.hpp"
 #include "core/saved_number.hpp"
 #include "output/progress.hpp"
+#include "parallel/reduce.hpp"
+#include "parallel/sums.hpp"
 #include "run/angular_momentum.hpp"
 
 namespace tektite {
@@ -33,41 +36,92 @@ bool any_clamped(const Particles& particles) {
          std::ranges::any_of(particles.integers(Field::clamped), [](std::int64_t clamped) { return clamped != 0; });
 }
 
+/// Of what several ranks have to say, which is mostly nothing.
+std::string text_of_all(const std::string& own) {
+  std::string text;
+  for (const auto& words : gather_on_all({own.begin(), own.end()})) text.append(words.begin(), words.end());
+  return text;
+}
+
+InputError not_on_several_ranks(const SchemeSettings& settings, Space space) {
+  return InputError(
+      {{},
+       "scheme",
+       settings.type,
+       fmt::format("this scene, in the space {}{}, is not computed on several ranks", name_of(space),
+                   settings.contact ? " with [contact]" : ""),
+       "eulerian, total-lagrangian, godunov-pm or godunov-split (lie-trotter) without [contact], not about "
+       "an axis; or one process with --threads"});
+}
+
 }  // namespace
 
 Simulation::Simulation(Snapshot snapshot, RunSettings settings, bool resumed)
     : snapshot_(std::move(snapshot)), settings_(std::move(settings)) {
-  auto& particles = snapshot_.particles;
-  const auto& state = snapshot_.state;
-  scheme_ = make_scheme({particles, profile_, settings_.materials, settings_.scheme, settings_.scene.symmetry});
+  auto& state = snapshot_.state;
   time_ = saved_number(state, "time");
+  if (ranks() > 1) distribution_.emplace(snapshot_.particles);
+  build_scheme();
+  if (distribution_) deal(resumed ? state : std::map<std::string, double>());
+  clamped_ = over_ranks(particles(), any_clamped(particles()), [](bool& whole, bool part) { whole = whole || part; });
   if (resumed) {
-    steps_ = static_cast<std::int64_t>(saved_number(state, "step"));
-    first_step_number_ = steps_;
-    last_.dt = saved_number(state, "dt");
-    first_step_ = saved_number(state, "first_step");
-    if (state.contains("contact_time")) contact_time_ = saved_number(state, "contact_time");
-    initial_energy_ = saved_number(state, "initial_energy");
-    largest_energy_ = saved_number(state, "largest_energy");
-    momentum_scale_ = saved_number(state, "momentum_scale");
-    for (int k = 0; k < particles.dimensions(); ++k)
-      initial_momentum_.push_back(saved_number(state, fmt::format("initial_momentum_{}", "xyz"[k])));
-    for (const int axis : axes_of_turning(particles.space()))
-      initial_angular_momentum_.push_back(saved_number(state, fmt::format("initial_angular_momentum_{}", "xyz"[axis])));
-    largest_angular_momentum_ = saved_number(state, "largest_angular_momentum");
+    restore(state);
     scheme_->restore(state);
     return;
   }
   scheme_->start();
+  note_start();
+  look_for_contact();
+  if (distribution_) deal_again();  // start() has ordered the particles
+}
+
+void Simulation::build_scheme() {
+  scheme_ =
+      make_scheme({snapshot_.particles, profile_, settings_.materials, settings_.scheme, settings_.scene.symmetry});
+}
+
+void Simulation::restore(const std::map<std::string, double>& state) {
+  const auto& particles = snapshot_.particles;
+  steps_ = static_cast<std::int64_t>(saved_number(state, "step"));
+  first_step_number_ = steps_;
+  last_.dt = saved_number(state, "dt");
+  first_step_ = saved_number(state, "first_step");
+  if (state.contains("contact_time")) contact_time_ = saved_number(state, "contact_time");
+  initial_energy_ = saved_number(state, "initial_energy");
+  largest_energy_ = saved_number(state, "largest_energy");
+  momentum_scale_ = saved_number(state, "momentum_scale");
+  for (int k = 0; k < particles.dimensions(); ++k)
+    initial_momentum_.push_back(saved_number(state, fmt::format("initial_momentum_{}", "xyz"[k])));
+  for (const int axis : axes_of_turning(particles.space()))
+    initial_angular_momentum_.push_back(saved_number(state, fmt::format("initial_angular_momentum_{}", "xyz"[axis])));
+  largest_angular_momentum_ = saved_number(state, "largest_angular_momentum");
+}
+
+void Simulation::note_start() {
+  const auto& particles = snapshot_.particles;
   const auto ledger = scheme_->ledger();
   initial_energy_ = ledger.total();
   note(ledger);
   initial_momentum_ = ledger.momentum;
   initial_angular_momentum_ = angular_momentum_of(particles);
   largest_angular_momentum_ = largest_angular_momentum_of(particles);
-  const auto mass = particles.reals(Field::mass);
-  momentum_scale_ = std::sqrt(2.0 * std::accumulate(mass.begin(), mass.end(), 0.0) * ledger.kinetic);
-  look_for_contact();
+  const auto mass =
+      sum_over<1>(particles, [m = particles.scalars(Field::mass)](std::size_t i) { return std::array{m[i]}; })[0];
+  momentum_scale_ = std::sqrt(2.0 * mass * ledger.kinetic);
+}
+
+void Simulation::deal(const std::map<std::string, double>& state) {
+  const auto halo = scheme_->halo(state);
+  if (!halo) throw not_on_several_ranks(settings_.scheme, particles().space());
+  scheme_.reset();
+  distribution_->deal(snapshot_.particles, *halo);
+  build_scheme();
+}
+
+void Simulation::deal_again() {
+  scheme_->save(snapshot_.state);
+  deal(snapshot_.state);
+  scheme_->restore(snapshot_.state);
 }
 
 double Simulation::end() const {
@@ -78,11 +132,14 @@ double Simulation::end() const {
 TimeStep Simulation::choose_step() const {
   auto choice = scheme_->stable_step();
   if (!(choice.dt > 0.0)) {
-    if (const auto inverted = inverted_particle())
+    if (const auto inverted = inverted_particle()) {
+      const auto determinant =
+          told_by_owner(*inverted, [this](std::size_t i) { return fmt::format("{:g}", jacobian_of(i)); });
       throw RunError(
           fmt::format("negative-jacobian: step {}, t = {}: a particle of the reference configuration is turned inside "
-                      "out, det F = {:g}; conversion of adaptle before that, or an Eulerian kernel, may mend it\n{}",
-                      steps_, shown_time(time_), jacobian_of(*inverted), describe(*inverted)));
+                      "out, det F = {}; conversion of adaptle before that, or an Eulerian kernel, may mend it\n{}",
+                      steps_, shown_time(time_), determinant, describe(*inverted)));
+    }
     throw RunError(
         fmt::format("step {}, t = {}: the state is no longer sane (a density that is not positive, a sound "
                     "speed that is not real, or a number that is not finite)\n{}",
@@ -109,25 +166,58 @@ double Simulation::jacobian_of(std::size_t i) const {
   return p.scalars(Field::mass)[i] / (p.scalars(Field::reference_volume)[i] * p.scalars(Field::density)[i]);
 }
 
-std::optional<std::size_t> Simulation::inverted_particle() const {
+std::optional<std::int64_t> Simulation::inverted_particle() const {
   const auto& p = snapshot_.particles;
   if (!p.has(Field::reference_position)) return std::nullopt;
-  for (std::size_t i = 0; i < p.count(); ++i)
-    if (jacobian_of(i) < 0.0) return i;
-  return std::nullopt;
+  constexpr auto none = std::numeric_limits<std::int64_t>::max();
+  const auto join = [](std::int64_t& whole, std::int64_t part) { whole = std::min(whole, part); };
+  const auto least = reduce(
+      p, none,
+      [&](std::int64_t& id, std::size_t i) {
+        if (jacobian_of(i) < 0.0) join(id, p.integers(Field::id)[i]);
+      },
+      join);
+  return least == none ? std::nullopt : std::optional(least);
+}
+
+template <class What>
+std::string Simulation::told_by_owner(std::int64_t particle, const What& what) const {
+  const auto& p = snapshot_.particles;
+  const auto id = p.integers(Field::id);
+  const auto i = static_cast<std::size_t>(std::ranges::find(id, particle) - id.begin());
+  const bool own = i < p.count() && Owned(p)(i);
+  const auto text = own ? what(i) : std::string();
+  return distribution_ ? text_of_all(text) : text;
 }
 
 void Simulation::step() {
+  announce(Work::step);
   {
     const auto scope = profile_.time("time step");
     last_ = choose_step();
-    limiting_ = particles().integers(Field::id)[last_.particle];
   }
   if (first_step_ == 0.0) first_step_ = last_.dt;
-  scheme_->step(last_.dt);
+  if (distribution_)
+    step_with_others();
+  else
+    scheme_->step(last_.dt);
   time_ = last_.reason == StepLimit::end ? end() : time_ + last_.dt;
   ++steps_;
   look_for_contact();
+}
+
+void Simulation::step_with_others() {
+  if (scheme_->search_is_due(last_.dt)) {
+    const auto scope = profile_.time("dealing");
+    scheme_->begin_search(last_.dt);
+    deal_again();
+  }
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  scheme_->step(last_.dt);
+  distribution_->note_step(std::chrono::duration<double>(Clock::now() - start).count());
+  const auto scope = profile_.time("exchange");
+  distribution_->refresh(snapshot_.particles);
 }
 
 void Simulation::look_for_contact() {
@@ -154,8 +244,7 @@ void Simulation::note(const Ledger& line) {
   const double made_up = line.total() - initial_energy_;
   // What starts from next to nothing may exchange far more than that, and errs by a part of it; what pulls at a body by
   // clamped particles that move does work on it.
-  if (initial_energy_ > 0.0 && made_up > runaway * initial_energy_ && made_up > 0.5 * line.at_play() &&
-      !any_clamped(particles()))
+  if (initial_energy_ > 0.0 && made_up > runaway * initial_energy_ && made_up > 0.5 * line.at_play() && !clamped_)
     throw RunError(
         fmt::format("energy-runaway: step {}, t = {}: the scheme has made up {:.1f} times the energy of the start; a "
                     "smaller scheme.courant, more viscosity, a finer spacing or another scheme may mend it",
@@ -163,7 +252,7 @@ void Simulation::note(const Ledger& line) {
 }
 
 double Simulation::momentum_drift(const Ledger& now) const {
-  if (any_clamped(particles())) return 0.0;
+  if (clamped_) return 0.0;
   const auto walls = walls_of(settings_.scene.symmetry, settings_.scheme.anvil);
   double square = 0.0;
   for (std::size_t k = 0; k < initial_momentum_.size(); ++k) {
@@ -176,9 +265,9 @@ double Simulation::momentum_drift(const Ledger& now) const {
 }
 
 std::optional<double> Simulation::angular_momentum_drift() const {
-  if (any_clamped(particles())) return std::nullopt;
+  if (clamped_) return std::nullopt;
   const auto walls = walls_of(settings_.scene.symmetry, settings_.scheme.anvil);
-  const auto now = angular_momentum_of(particles());
+  const auto now = angular_momentum();
   const auto axes = axes_of_turning(particles().space());
   std::optional<double> square;
   for (std::size_t k = 0; k < axes.size(); ++k) {
@@ -188,22 +277,24 @@ std::optional<double> Simulation::angular_momentum_drift() const {
     square = square.value_or(0.0) + change * change;
   }
   if (!square) return std::nullopt;
-  const double scale = std::max(largest_angular_momentum_, largest_angular_momentum_of(particles()));
+  const double scale = std::max(largest_angular_momentum_, largest_angular_momentum());
   return scale == 0.0 ? 0.0 : std::sqrt(*square) / scale;
 }
 
-std::string Simulation::describe(std::size_t i) const {
-  const auto& particles = snapshot_.particles;
-  std::string text = fmt::format("  particle {}", particles.integers(Field::id)[i]);
-  for (const auto& body : particles.bodies())
-    if (i >= body.range.begin && i < body.range.end) text += fmt::format(" of {} ({})", body.name, body.material);
-  for (const auto& row : field_table) {
-    if (!particles.has(row.field) || row.keep == Keep::scratch || row.rank == Rank::integer) continue;
-    const auto width = static_cast<std::size_t>(particles.components(row.field));
-    const auto values = particles.reals(row.field).subspan(i * width, width);
-    text += fmt::format("\n    {} = {:g} {}", row.name, fmt::join(values, " "), row.unit);
-  }
-  return text;
+std::string Simulation::describe(std::int64_t particle) const {
+  return told_by_owner(particle, [this, particle](std::size_t i) {
+    const auto& particles = snapshot_.particles;
+    std::string text = fmt::format("  particle {}", particle);
+    for (const auto& body : particles.bodies())
+      if (i >= body.range.begin && i < body.range.end) text += fmt::format(" of {} ({})", body.name, body.material);
+    for (const auto& row : field_table) {
+      if (!particles.has(row.field) || !saved(row.keep) || row.rank == Rank::integer) continue;
+      const auto width = static_cast<std::size_t>(particles.components(row.field));
+      const auto values = particles.reals(row.field).subspan(i * width, width);
+      text += fmt::format("\n    {} = {:g} {}", row.name, fmt::join(values, " "), row.unit);
+    }
+    return text;
+  });
 }
 
 const Snapshot& Simulation::save(const std::map<std::string, double>& others) {
@@ -224,7 +315,93 @@ const Snapshot& Simulation::save(const std::map<std::string, double>& others) {
     state[fmt::format("initial_angular_momentum_{}", "xyz"[axes[k]])] = initial_angular_momentum_[k];
   state["largest_angular_momentum"] = largest_angular_momentum_;
   scheme_->save(state);
-  return snapshot_;
+  if (!distribution_) return snapshot_;
+  whole();
+  whole_.state = state;
+  whole_.scene = snapshot_.scene;
+  return whole_;
+}
+
+const Particles& Simulation::whole() {
+  if (!distribution_) return particles();
+  if (gathered_ != steps_) {
+    announce(Work::gather);
+    whole_.particles = distribution_->gather(particles());
+    gathered_ = steps_;
+  }
+  return whole_.particles;
+}
+
+Ledger Simulation::ledger() const {
+  announce(Work::ledger);
+  return scheme_->ledger();
+}
+
+std::vector<double> Simulation::angular_momentum() const {
+  announce(Work::turning);
+  return angular_momentum_of(particles());
+}
+
+double Simulation::largest_angular_momentum() const {
+  announce(Work::largest_turning);
+  return largest_angular_momentum_of(particles());
+}
+
+std::string Simulation::remark() const {
+  announce(Work::remark);
+  return scheme_->remark();
+}
+
+std::vector<Warning> Simulation::warnings() const {
+  announce(Work::warnings);
+  return scheme_->warnings();
+}
+
+void Simulation::announce(Work work) const {
+  if (distribution_ && rank() == 0) from_first_rank({static_cast<Word>(work)});
+}
+
+void Simulation::dismiss() {
+  announce(Work::end);
+  dismiss_ranks();
+}
+
+void Simulation::follow() {
+  for (;;) {
+    const auto work = static_cast<Work>(from_first_rank({}).front());
+    if (work == Work::end) return dismiss_ranks();
+    try {
+      take_part(work);
+    } catch (const RunError&) {  // all ranks come to it, and the first one tells it
+    }
+  }
+}
+
+void Simulation::take_part(Work work) {
+  switch (work) {
+    case Work::step:
+      return step();
+    case Work::gather:
+      distribution_->gather(particles());
+      return;
+    case Work::ledger:
+      ledger();
+      return;
+    case Work::turning:
+      angular_momentum();
+      return;
+    case Work::largest_turning:
+      largest_angular_momentum();
+      return;
+    case Work::remark:
+      remark();
+      return;
+    case Work::warnings:
+      warnings();
+      return;
+    case Work::end:
+      return;
+  }
 }
 
 }  // namespace tektite

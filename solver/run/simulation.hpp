@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/snapshot.hpp"
+#include "parallel/distribution.hpp"
 #include "run/run_settings.hpp"
 #include "schemes/scheme.hpp"
 
@@ -14,8 +15,15 @@ namespace tektite {
 
 class Simulation {
  public:
-  /// From initial particles, or from a snapshot that a run left: `resumed` tells which.
+  /// From initial particles, or from a snapshot that a run left: `resumed` tells which. Of several ranks the first one
+  /// has the particles, and the others what share_snapshot() gave them. Throws InputError where the scene cannot be
+  /// computed on several.
   Simulation(Snapshot snapshot, RunSettings settings, bool resumed);
+
+  /// What every rank but the first does: its part of all that is asked of the first one's simulation, until that is
+  /// dismissed.
+  void follow();
+  void dismiss();
 
   /// One step. Throws RunError where the state is not sane or the time step collapses.
   void step();
@@ -28,8 +36,8 @@ class Simulation {
   /// When the run is over, in s; infinite while the contact that it counts from has not come.
   double end() const;
   const TimeStep& last_step() const { return last_; }
-  /// The id of the particle that set the last step: its index may have changed within the step.
-  std::int64_t limiting_particle() const { return limiting_; }
+  /// The id of the particle that set the last step.
+  std::int64_t limiting_particle() const { return last_.particle; }
   std::optional<double> contact_time() const { return contact_time_; }
   /// (E - E0)/E0; where E0 is next to nothing, over the largest energy that was at play in any line of the history.
   double energy_drift(const Ledger& now) const;
@@ -40,10 +48,18 @@ class Simulation {
   /// planes nor the anvil turn anything. None where no such axis is left, or particles are clamped.
   std::optional<double> angular_momentum_drift() const;
 
+  /// Those of this rank.
   const Particles& particles() const { return snapshot_.particles; }
+  /// All of them; on the first rank alone.
+  const Particles& whole();
+  std::size_t count() const { return count_of_all(snapshot_.particles); }
   const RunSettings& settings() const { return settings_; }
   const Scheme& scheme() const { return *scheme_; }
-  Ledger ledger() const { return scheme_->ledger(); }
+  Ledger ledger() const;
+  std::vector<double> angular_momentum() const;
+  /// What the scheme knows of itself and a user should.
+  std::string remark() const;
+  std::vector<Warning> warnings() const;
   const Profile& profile() const { return profile_; }
 
   /// Keeps what the energies of a line of the history tell the drift. Throws RunError where they have run away.
@@ -53,15 +69,36 @@ class Simulation {
   const Snapshot& save(const std::map<std::string, double>& state);
 
  private:
+  /// What the first rank lets the others do.
+  enum class Work : Word { step, gather, ledger, turning, largest_turning, remark, warnings, end };
+  void announce(Work work) const;
+  void take_part(Work work);
+  double largest_angular_momentum() const;
+
+  void build_scheme();
+  void restore(const std::map<std::string, double>& state);
+  void note_start();
+  /// Deals the particles to the ranks, as the state of the scheme needs it, and builds the scheme anew on them.
+  void deal(const std::map<std::string, double>& state);
+  /// The same while it runs: it goes on as from a snapshot.
+  void deal_again();
+  void step_with_others();
   TimeStep choose_step() const;
   void look_for_contact();
   /// det F of a particle whose density follows from it.
-  double jacobian_of(std::size_t particle) const;
-  /// One whose density has become negative with det F.
-  std::optional<std::size_t> inverted_particle() const;
-  std::string describe(std::size_t particle) const;
+  double jacobian_of(std::size_t index) const;
+  /// The id of one whose density has become negative with det F.
+  std::optional<std::int64_t> inverted_particle() const;
+  /// what(index) from the rank that owns the particle.
+  template <class What>
+  std::string told_by_owner(std::int64_t particle, const What& what) const;
+  std::string describe(std::int64_t particle) const;
 
   Snapshot snapshot_;
+  std::optional<Distribution> distribution_;  ///< over several ranks
+  Snapshot whole_;                            ///< with the particles of all ranks, as of the step `gathered_`
+  std::int64_t gathered_ = -1;
+  bool clamped_ = false;
   RunSettings settings_;
   Profile profile_;
   std::unique_ptr<Scheme> scheme_;
@@ -69,7 +106,6 @@ class Simulation {
   std::int64_t steps_ = 0;
   std::int64_t first_step_number_ = 0;
   TimeStep last_;
-  std::int64_t limiting_ = 0;  ///< id
   double first_step_ = 0.0;
   std::optional<double> contact_time_;
   double initial_energy_ = 0.0;

@@ -50,14 +50,15 @@ class CorrectedSums {
       });
     }
     mirror.fill(records_, count);
-    without_ = corrected_ ? correction_.find(pairs, mirror, records_, count, among ? among->eulerian : nullptr) : 0;
+    without_ =
+        corrected_ ? correction_.find(pairs, mirror, records_, count, among ? among->eulerian : nullptr, Owned(p)) : 0;
     if (corrected_)
       sum<true>(p, pairs, strain_rates);
     else
       sum<false>(p, pairs, strain_rates);
   }
 
-  /// Particles that go without correction, at the last call.
+  /// Own particles that go without correction, at the last call.
   std::size_t without() const { return without_; }
   std::size_t memory() const { return records_.capacity() * sizeof(CorrectedRecord<D>); }
 

@@ -84,6 +84,14 @@ class EulerianScheme final : public Scheme {
     anvil_.rest(particles_);
   }
 
+  /// One sweep of pairs a step, and one more for the correction.
+  std::optional<Halo> halo(const std::map<std::string, double>& state) const override {
+    if (contact_ || rings) return std::nullopt;
+    return neighbourhood_.halo(state, settings_.corrected_eulerian ? 2 : 1);
+  }
+  bool search_is_due(double dt) override { return neighbourhood_.due(dt); }
+  void begin_search(double dt) override { neighbourhood_.begin(dt); }
+
   TimeStep stable_step() const override {
     return smallest_step<D>(least_stable_step<D>(particles_, settings_.courant, coefficients_of(settings_.viscosity)),
                             particles_, walls_, contact_, settings_.courant);
@@ -93,13 +101,13 @@ class EulerianScheme final : public Scheme {
 
   bool in_contact() const override {
     if (contact_) return contact_->touching();
-    return body_contact(neighbourhood_.pairs(), particles_.bodies(), records_, Kernel::support);
+    return body_contact(neighbourhood_.pairs(), particles_, records_, Kernel::support);
   }
 
-  std::string remark() const override { return remark_on_correction(corrected_ ? corrected_->without() : 0); }
+  std::string remark() const override { return remark_on_correction(without_correction()); }
 
   std::vector<Warning> warnings() const override {
-    return few_neighbours(corrected_ ? corrected_->without() : 0, particles_.count());
+    return few_neighbours(without_correction(), count_of_all(particles_));
   }
 
   std::size_t memory() const override {
@@ -109,6 +117,8 @@ class EulerianScheme final : public Scheme {
   }
 
  private:
+  std::size_t without_correction() const { return without_of_all(particles_, corrected_ ? corrected_->without() : 0); }
+
   void allocate_scratch() {
     particles_.allocate(Field::half_density);
     if constexpr (rings) HalfState<D>::allocate(particles_);

@@ -25,6 +25,11 @@ class GodunovPmScheme final : public GodunovScheme<space, Kernel, ContactStateRe
  public:
   using Base::Base;
 
+  std::optional<Halo> halo(const std::map<std::string, double>& state) const override {
+    if (this->contact_) return std::nullopt;
+    return neighbourhood_.halo(state, 1);
+  }
+
   void step(double dt) override {
     this->search(dt);
     solve_contacts();

@@ -70,6 +70,9 @@ class GodunovScheme : public Scheme {
     if (contact_) contact_->save(state);
   }
 
+  bool search_is_due(double) override { return neighbourhood_.due(0.0); }
+  void begin_search(double) override { neighbourhood_.begin(0.0); }
+
   TimeStep stable_step() const override {
     const auto motion = [approach = particles_.scalars(Field::approach_speed)](std::size_t i) { return approach[i]; };
     return smallest_step<D>(least_acoustic_step<D>(particles_, settings_.courant, motion), particles_,
@@ -80,7 +83,7 @@ class GodunovScheme : public Scheme {
 
   bool in_contact() const override {
     if (contact_) return contact_->touching();
-    return body_contact(neighbourhood_.pairs(), particles_.bodies(), records_, Kernel::support);
+    return body_contact(neighbourhood_.pairs(), particles_, records_, Kernel::support);
   }
 
   std::size_t memory() const override {

@@ -49,8 +49,15 @@ class GodunovSplitScheme final : public GodunovScheme<space, Kernel, Hydrodynami
     if (godunov_.strang) finish_symmetrically(part);
   }
 
-  std::string remark() const override { return remark_on_correction(without_); }
-  std::vector<Warning> warnings() const override { return few_neighbours(without_, this->particles_.count()); }
+  std::string remark() const override { return remark_on_correction(without_of_all(particles_, without_)); }
+  std::vector<Warning> warnings() const override {
+    return few_neighbours(without_of_all(particles_, without_), count_of_all(particles_));
+  }
+
+  std::optional<Halo> halo(const std::map<std::string, double>& state) const override {
+    if (contact_ || godunov_.strang) return std::nullopt;  // strang searches in the middle of a step
+    return neighbourhood_.halo(state, settings_.corrected_eulerian ? 3 : 2);
+  }
 
   std::size_t memory() const override {
     return Base::memory() + deviatoric_.capacity() * sizeof(DeviatoricRecord<D>) +
@@ -75,7 +82,8 @@ class GodunovSplitScheme final : public GodunovScheme<space, Kernel, Hydrodynami
                          p.scalars(Field::smoothing_length)[i], Correction<double, D>::none()};
     });
     neighbourhood_.mirror().fill(corrections_, p.count());
-    without_ = correction_.find(neighbourhood_.pairs(), neighbourhood_.mirror(), corrections_, p.count());
+    without_ =
+        correction_.find(neighbourhood_.pairs(), neighbourhood_.mirror(), corrections_, p.count(), nullptr, Owned(p));
   }
 
   /// sweep(smoothing, gradients) with what the pairs of this scene have.

@@ -8,7 +8,7 @@
 #include "core/particles.hpp"
 #include "core/saved_number.hpp"
 #include "parallel/for_each.hpp"
-#include "parallel/reduce.hpp"
+#include "parallel/sums.hpp"
 #include "passes/hourglass_sums.hpp"
 #include "schemes/reference_neighbours.hpp"
 
@@ -35,7 +35,8 @@ class HourglassControl {
   /// Adds to the accelerations in the middle of a step of dt.
   void add_forces(ReferenceNeighbours<Kernel, D>& neighbours, const Mirror<D>& mirror,
                   const std::vector<ReferenceRecord<D>>& reference, const std::vector<MotionRecord<D>>& motion,
-                  const double* mass, Vector<double, D>* acceleration, double dt) {
+                  const Particles& particles, Vector<double, D>* acceleration, double dt) {
+    const double* const mass = particles.scalars(Field::mass);
     fits_.resize(reference.size());
     const ListedRecords<D> records{reference.data(), motion.data(), nullptr, nullptr, fits_.data()};
     neighbours.sweep(records, [&]<class Records>(const Records& r) {
@@ -47,9 +48,7 @@ class HourglassControl {
       return HourglassForces<Kernel, D, Records>{{r, reference.data()}, fits_.data(), motion.data(), mass,
                                                  acceleration,          power_.data()};
     });
-    energy_ += dt * reduce(
-                        power_.size(), 0.0, [this](double& sum, std::size_t i) { sum += power_[i]; },
-                        [](double& whole, double part) { whole += part; });
+    energy_ += dt * sum_over<1>(particles, [this](std::size_t i) { return std::array{power_[i]}; })[0];
   }
 
   /// The work done against the control so far: what it stores, and what it stored where particles have failed, J.

@@ -2,12 +2,15 @@
 // The bodies whose reference configuration is a lattice. Their pairs are the same for every particle, so nothing of a
 // pair is stored or computed anew.
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "core/particles.hpp"
 #include "neighbours/lattice.hpp"
 #include "parallel/for_each_on_lattice.hpp"
+#include "parallel/ranks.hpp"
 #include "passes/lagrangian_sums.hpp"
 
 namespace tektite {
@@ -22,25 +25,29 @@ struct LagrangianReads {
 template <class Kernel, int D>
 class LatticeBodies {
  public:
-  /// Takes the bodies that lie on a lattice and have one smoothing length. `places` and `body_of` are those of all
-  /// records in the reference configuration, images behind the particles; `read` says what passes read.
+  /// Takes the bodies that lie on a lattice, on all ranks, and have one smoothing length. `places`, `body_of` and
+  /// `owned` are those of all records in the reference configuration, images behind the particles; `read` says what
+  /// passes read.
   void find(const Particles& particles, std::span<const Vector<double, D>> places,
-            std::span<const std::uint32_t> body_of, double support, LagrangianReads read) {
+            std::span<const std::uint32_t> body_of, std::span<const std::uint8_t> owned, double support,
+            LagrangianReads read) {
     bodies_.clear();
     lists_.assign(particles.count(), 1);
     std::vector<std::vector<std::uint32_t>> members(particles.bodies().size());
     for (std::uint32_t i = 0; i < places.size(); ++i) members[body_of[i]].push_back(i);
-    const auto h = particles.reals(Field::smoothing_length);
     for (std::size_t k = 0; k < members.size(); ++k) {
       const auto& body = particles.bodies()[k];
-      if (body.range.size() == 0) continue;
-      const double first = h[body.range.begin];
-      const auto own = h.subspan(body.range.begin, body.range.size());
-      if (std::ranges::any_of(own, [first](double other) { return other != first; })) continue;
-      auto lattice = Lattice<D>::find(places, members[k], body.spacing, std::min(support, Kernel::support * first));
-      if (!lattice) continue;
+      const auto first = first_of(particles, body.range, places);
+      auto frame = Lattice<D>::frame_of(places, members[k], first.place, body.spacing);
+      frame.count = static_cast<std::size_t>(std::ranges::count_if(members[k], [&](auto i) { return owned[i] != 0; }));
+      frame.sound = frame.sound && first.least_smoothing == first.most_smoothing;
+      frame = over_ranks(particles, frame, Lattice<D>::Frame::join);
+      const double h = first.least_smoothing;
+      auto lattice = Lattice<D>::find(places, members[k], std::min(support, Kernel::support * h), frame);
+      const auto both = [](bool& whole, bool part) { whole = whole && part; };
+      if (!over_ranks(particles, lattice.has_value(), both) || members[k].empty()) continue;
       std::fill_n(lists_.begin() + static_cast<std::ptrdiff_t>(body.range.begin), body.range.size(), std::uint8_t{0});
-      bodies_.emplace_back(std::move(*lattice), first, read);
+      bodies_.emplace_back(std::move(*lattice), h, read);
     }
     visit([count = particles.count()](std::size_t i) { return i < count; });
   }
@@ -95,6 +102,29 @@ class LatticeBodies {
   }
 
  private:
+  /// Of a body on all ranks: the place of the particle of the least id, and the range of h.
+  struct First {
+    std::int64_t id = std::numeric_limits<std::int64_t>::max();
+    Vector<double, D> place = Vector<double, D>::zero();
+    double least_smoothing = std::numeric_limits<double>::infinity(), most_smoothing = 0.0;
+
+    static void join(First& whole, const First& part) {
+      if (part.id < whole.id) {
+        whole.id = part.id;
+        whole.place = part.place;
+      }
+      whole.least_smoothing = std::min(whole.least_smoothing, part.least_smoothing);
+      whole.most_smoothing = std::max(whole.most_smoothing, part.most_smoothing);
+    }
+  };
+  static First first_of(const Particles& particles, const Range& range, std::span<const Vector<double, D>> places) {
+    const auto id = particles.integers(Field::id);
+    const auto h = particles.reals(Field::smoothing_length);
+    First first;
+    for (std::size_t i = range.begin; i < range.end; ++i) First::join(first, {id[i], places[i], h[i], h[i]});
+    return over_ranks(particles, first, First::join);
+  }
+
   // What the rows hold of each record, from its first number on: of the reference record the volume alone, since pairs
   // know the rest; of the stress record all but J. Shifts, and behind them what hourglass control and the viscosity
   // read, are there where passes read them.

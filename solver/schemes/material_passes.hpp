@@ -25,9 +25,11 @@ class MaterialPasses {
 
   MaterialPasses(Particles& particles, const std::map<std::string, Material>& materials) : particles_(particles) {
     constexpr std::size_t longest = 1024;
-    for (const auto& body : particles.bodies())
+    for (const auto& body : particles.bodies()) {
+      materials_.push_back(&materials.at(body.material));
       for (std::size_t begin = body.range.begin; begin < body.range.end; begin += longest)
-        runs_.push_back({{begin, std::min(begin + longest, body.range.end)}, &materials.at(body.material)});
+        runs_.push_back({{begin, std::min(begin + longest, body.range.end)}, materials_.back()});
+    }
   }
 
   /// work(run) for every run, each on some thread.
@@ -39,13 +41,13 @@ class MaterialPasses {
   /// Allocates what the materials need and sets it at the start of a run.
   void start() {
     bool yields = false, heats = false;
-    for (const auto& run : runs_)
+    for (const auto* material : materials_)
       std::visit(
           [&](const auto& model) {
             yields = yields || model.kind.yields;
             heats = heats || model.kind.heats;
           },
-          run.material->strength);
+          material->strength);
     particles_.allocate(Field::deviatoric_stress);
     if (yields) particles_.allocate(Field::plastic_strain);
     if (yields) particles_.allocate(Field::plastic_work);
@@ -89,7 +91,8 @@ class MaterialPasses {
                       EvaluateEos<std::decay_t<decltype(eos)>>{eos, density, energy, pressure, sound_speed});
         },
         run.material->eos);
-    if (bulking_of(run) > 0.0) run_through(all_of(run), AddBulking{scalars(run, Field::bulking_pressure), pressure});
+    if (bulking_of(*run.material) > 0.0)
+      run_through(all_of(run), AddBulking{scalars(run, Field::bulking_pressure), pressure});
   }
 
   /// Pressure, as far as it is borne, and wave speeds of the present state.
@@ -195,10 +198,10 @@ class MaterialPasses {
 
  private:
   bool damages() const {
-    return std::any_of(runs_.begin(), runs_.end(),
-                       [](const Run& run) { return !std::holds_alternative<NoDamage>(run.material->damage); });
+    return std::ranges::any_of(
+        materials_, [](const Material* material) { return !std::holds_alternative<NoDamage>(material->damage); });
   }
-  static double bulking_of(const Run& run) {
+  static double bulking_of(const Material& material) {
     return std::visit(
         [](const auto& model) {
           if constexpr (requires { model.bulking; })
@@ -206,15 +209,16 @@ class MaterialPasses {
           else
             return 0.0;
         },
-        run.material->damage);
+        material.damage);
   }
   bool bulks() const {
-    return std::any_of(runs_.begin(), runs_.end(), [](const Run& run) { return bulking_of(run) > 0.0; });
+    return std::ranges::any_of(materials_, [](const Material* material) { return bulking_of(*material) > 0.0; });
   }
   double* optional(Field field) const { return particles_.has(field) ? particles_.scalars(field) : nullptr; }
   double* optional(const Run& run, Field field) const { return particles_.has(field) ? scalars(run, field) : nullptr; }
 
   Particles& particles_;
+  std::vector<const Material*> materials_;  ///< of all bodies, also of those that have no particle here
   std::vector<Run> runs_;
 };
 

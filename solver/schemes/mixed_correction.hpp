@@ -15,6 +15,11 @@
 
 namespace tektite {
 
+/// Of the particles of all ranks, those without correction of which each counts its own.
+inline std::size_t without_of_all(const Particles& particles, std::size_t own) {
+  return over_ranks(particles, own, [](std::size_t& whole, std::size_t part) { whole += part; });
+}
+
 /// What a user is told of particles without correction; empty where there are none.
 inline std::string remark_on_correction(std::size_t without) {
   if (without == 0) return {};
@@ -55,13 +60,15 @@ class MixedCorrection {
 
   /// Corrections of the first `count` records, from each other and from the images behind them; the records begin with
   /// Correction::none(). A particle with a single neighbour, or with too small a moment, keeps the plain
-  /// gradient and is counted, if `counted` (a byte each, null for all) says so.
+  /// gradient and is counted by its owner, if `counted` (a byte each, null for all) says so.
   template <class Record>
   std::size_t find(const PairList& pairs, const Mirror<D>& mirror, std::vector<Record>& records, std::size_t count,
-                   const std::uint8_t* counted = nullptr) {
+                   const std::uint8_t* counted = nullptr, const Owned& owned = {}) {
     without_.assign(count, 1);  // also who has no list
     for_each_pair(pairs, CorrectionSums<Kernel, D, Record>{records.data(), least_moment_, without_.data()});
-    const auto tell = [&](std::size_t& without, std::size_t i) { without += without_[i] && (!counted || counted[i]); };
+    const auto tell = [&](std::size_t& without, std::size_t i) {
+      without += without_[i] && (!counted || counted[i]) && owned(i);
+    };
     const auto without = reduce(count, std::size_t{0}, tell, [](auto& whole, auto part) { whole += part; });
     mirror.fill(records, count);
     return without;

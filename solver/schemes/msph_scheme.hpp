@@ -84,7 +84,7 @@ class MsphScheme final : public Scheme {
   }
   Ledger ledger() override { return ledger_of<D>(particles_, 0.0); }
   bool in_contact() const override {
-    return body_contact(neighbourhood_.pairs(), particles_.bodies(), records_, Kernel::support);
+    return body_contact(neighbourhood_.pairs(), particles_, records_, Kernel::support);
   }
   std::string closing_remark() const override {
     if (lower_order_.first + lower_order_.second == 0.0) return {};

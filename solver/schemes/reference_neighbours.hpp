@@ -22,7 +22,13 @@ class ReferenceNeighbours {
             Lists lists) {
     count_ = particles.count();
     const ReferencePlaces<D> places(particles, mirror, support);
-    if (lattices) lattices_.find(particles, places.x, places.body, support, read);
+    if (lattices) {
+      const Owned owned(particles);
+      std::vector<std::uint8_t> owned_records(count_);
+      for (std::size_t i = 0; i < count_; ++i) owned_records[i] = owned(i) ? 1 : 0;
+      mirror.repeat(owned_records);
+      lattices_.find(particles, places.x, places.body, owned_records, support, read);
+    }
     if (lists == Lists::off_lattice && lattices_.any())
       pairs_ = reference_pairs<D>(places, count_, support, lattices_.lists());
     else

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "core/particles.hpp"
 #include "core/scene.hpp"
 #include "output/profile.hpp"
+#include "parallel/halo.hpp"
 #include "passes/time_step_limit.hpp"
 #include "physics/kernels/kernel.hpp"
 #include "physics/material.hpp"
@@ -52,7 +54,7 @@ struct SchemeSetup {
 struct TimeStep {
   double dt = 0.0;
   StepLimit reason = StepLimit::end;
-  std::size_t particle = 0;  ///< index of the particle that sets it
+  std::int64_t particle = 0;  ///< id of the one that sets it
 };
 
 struct Ledger {
@@ -85,6 +87,20 @@ class Scheme {
   virtual void save(std::map<std::string, double>& state) const = 0;
 
   virtual void step(double dt) = 0;
+
+  /// What a rank needs of the others' particles, so that a step gives its own what it would with all of them: the pairs
+  /// of every sweep, one behind the other. `state` is what save() put there, or nothing before start(). None where this
+  /// scene cannot be computed on several ranks.
+  virtual std::optional<Halo> halo(const std::map<std::string, double>& state) const {
+    static_cast<void>(state);
+    return std::nullopt;
+  }
+  /// Where particles are distributed, who takes a step of dt asks before it whether neighbours have to be searched
+  /// anew. Then the search begins: with the places that it is for, and with the reach; save() has them, and restore()
+  /// ends it by the list.
+  virtual bool search_is_due(double) { return false; }
+  virtual void begin_search(double) {}
+
   /// The largest stable time step; zero where the state is not sane, with the particle.
   virtual TimeStep stable_step() const = 0;
   virtual Ledger ledger() = 0;

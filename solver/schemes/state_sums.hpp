@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "parallel/reduce.hpp"
+#include "parallel/sums.hpp"
 #include "passes/acoustic_step_limit.hpp"
 #include "passes/energy_sums.hpp"
 #include "passes/time_step_limit.hpp"
@@ -16,11 +17,27 @@
 
 namespace tektite {
 
+/// Smallest and largest h.
+inline std::pair<double, double> smoothing_range(const Particles& particles) {
+  using Bounds = std::pair<double, double>;
+  const double* h = particles.scalars(Field::smoothing_length);
+  const auto join = [](Bounds& whole, const Bounds& part) {
+    whole = {std::min(whole.first, part.first), std::max(whole.second, part.second)};
+  };
+  return reduce(
+      particles, Bounds{std::numeric_limits<double>::infinity(), 0.0},
+      [=](Bounds& range, std::size_t i) {
+        join(range, {h[i], h[i]});
+      },
+      join);
+}
+
 /// The smallest stable time step of the particles by themselves.
 template <int D>
 typename TimeStepLimit<D>::Least least_stable_step(const Particles& p, double courant,
                                                    const MonaghanViscosity& viscosity) {
-  const TimeStepLimit<D> pass{courant,
+  const TimeStepLimit<D> pass{p.integers(Field::id).data(),
+                              courant,
                               viscosity.alpha,
                               viscosity.beta,
                               p.scalars(Field::smoothing_length),
@@ -30,17 +47,16 @@ typename TimeStepLimit<D>::Least least_stable_step(const Particles& p, double co
                               p.scalars(Field::density),
                               p.vectors<D>(Field::acceleration),
                               p.has(Field::least_stretch) ? p.scalars(Field::least_stretch) : nullptr};
-  return reduce(p.count(), typename TimeStepLimit<D>::Least{std::numeric_limits<double>::infinity()}, pass,
-                TimeStepLimit<D>::join);
+  return reduce(p, typename TimeStepLimit<D>::Least{}, pass, TimeStepLimit<D>::join);
 }
 
 /// The same for a scheme without viscosity; motion(i) is the speed in m/s that adds to that of sound.
 template <int D, class Motion>
 typename TimeStepLimit<D>::Least least_acoustic_step(const Particles& p, double courant, const Motion& motion) {
-  const AcousticStepLimit<D, Motion> pass{courant, p.scalars(Field::smoothing_length), p.scalars(Field::wave_speed),
-                                          p.scalars(Field::density), motion};
-  return reduce(p.count(), typename TimeStepLimit<D>::Least{std::numeric_limits<double>::infinity()}, pass,
-                TimeStepLimit<D>::join);
+  const AcousticStepLimit<D, Motion> pass{p.integers(Field::id).data(),       courant,
+                                          p.scalars(Field::smoothing_length), p.scalars(Field::wave_speed),
+                                          p.scalars(Field::density),          motion};
+  return reduce(p, typename TimeStepLimit<D>::Least{}, pass, TimeStepLimit<D>::join);
 }
 
 /// The step in s in which no two particles, and none and a wall or its image there, come nearer to each other by more
@@ -50,8 +66,28 @@ template <int D>
 double meeting_step(const Particles& p, std::span<const SymmetryPlane> walls) {
   using Box = VectorBox<D>;
   const auto take = [v = p.vectors<D>(Field::velocity)](Box& box, std::size_t i) { box.take(v[i]); };
-  const auto velocities = reduce(p.count(), Box{}, take, Box::join);
-  return limit_of(std::ranges::min(p.reals(Field::smoothing_length)), velocities.diagonal(walls));
+  const auto velocities = reduce(p, Box{}, take, Box::join);
+  return limit_of(smoothing_range(p).first, velocities.diagonal(walls));
+}
+
+/// The id of the fastest particle; of several the least.
+template <int D>
+std::int64_t fastest_particle(const Particles& p) {
+  struct Fastest {
+    double square = -1.0;
+    std::int64_t id = 0;
+  };
+  const auto join = [](Fastest& whole, const Fastest& part) {
+    if (part.square > whole.square || (part.square == whole.square && part.id < whole.id)) whole = part;
+  };
+  return reduce(
+             p, Fastest{},
+             [=, v = p.vectors<D>(Field::velocity), id = p.integers(Field::id).data()](Fastest& fastest,
+                                                                                       std::size_t i) {
+               join(fastest, {dot(v[i], v[i]), id[i]});
+             },
+             join)
+      .id;
 }
 
 /// The smallest of a step, that in which particles meet, and that of the contact between bodies, if there is one.
@@ -59,22 +95,13 @@ template <int D, class Contact>
 TimeStep smallest_step(typename TimeStepLimit<D>::Least least, const Particles& p, std::span<const SymmetryPlane> walls,
                        const std::optional<Contact>& contact, double courant) {
   if (const double dt = meeting_step<D>(p, walls); dt < least.dt) {
-    const auto* v = p.vectors<D>(Field::velocity);
-    const auto slower = [](const auto& a, const auto& b) { return dot(a, a) < dot(b, b); };
-    least = {dt, static_cast<std::size_t>(std::max_element(v, v + p.count(), slower) - v), StepLimit::meeting};
+    least = {dt, fastest_particle<D>(p), StepLimit::meeting};
   }
   if (contact) {
     const auto limit = contact->stable_step(courant);
     if (limit.dt < least.dt) least = limit;
   }
   return {least.dt, least.reason, least.particle};
-}
-
-/// Smallest and largest h.
-inline std::pair<double, double> smoothing_range(const Particles& particles) {
-  const auto h = particles.reals(Field::smoothing_length);
-  const auto [least, most] = std::minmax_element(h.begin(), h.end());
-  return {*least, *most};
 }
 
 /// Energies and momentum; `contact` is what is stored between bodies, J.
@@ -84,8 +111,8 @@ Ledger ledger_of(const Particles& p, double contact) {
                            p.scalars(Field::specific_internal_energy),
                            p.has(Field::plastic_work) ? p.scalars(Field::plastic_work) : nullptr,
                            p.has(Field::viscous_work) ? p.scalars(Field::viscous_work) : nullptr};
-  const auto sums = reduce(p.count(), typename EnergySums<D>::Sums{}, pass, EnergySums<D>::join);
-  return {sums.kinetic, sums.internal, sums.plastic, sums.viscous, contact, {sums.momentum.c, sums.momentum.c + D}};
+  const auto sums = sum_over<EnergySums<D>::count>(p, pass);
+  return {sums[0], sums[1], sums[2], sums[3], contact, {sums.begin() + 4, sums.end()}};
 }
 
 }  // namespace tektite

@@ -100,6 +100,13 @@ class TotalLagrangianScheme final : public Scheme {
     if (converts()) convert();
   }
 
+  /// One sweep for F, and one for what follows from it.
+  std::optional<Halo> halo(const std::map<std::string, double>&) const override {
+    if (contact_ || eulerian_ || rings) return std::nullopt;
+    const bool started = particles_.has(Field::reference_position);
+    return Halo{2.0 * support(), started ? Field::reference_position : Field::position};
+  }
+
   TimeStep stable_step() const override {
     return smallest_step<D>(least_stable_step<D>(particles_, settings_.courant, coefficients_of(settings_.viscosity)),
                             particles_, walls_, contact_, settings_.courant);
@@ -118,7 +125,9 @@ class TotalLagrangianScheme final : public Scheme {
     const auto other = remark_on_correction(without_correction());
     return text + (text.empty() || other.empty() ? "" : "; ") + other;
   }
-  std::vector<Warning> warnings() const override { return few_neighbours(without_correction(), particles_.count()); }
+  std::vector<Warning> warnings() const override {
+    return few_neighbours(without_correction(), count_of_all(particles_));
+  }
 
   std::size_t memory() const override {
     return neighbours_.memory() + (contact_ ? contact_->memory() : 0) + (eulerian_ ? eulerian_->memory() : 0) +
@@ -130,7 +139,9 @@ class TotalLagrangianScheme final : public Scheme {
   }
 
  private:
-  std::size_t without_correction() const { return uncorrected_ + (eulerian_ ? eulerian_->without_correction() : 0); }
+  std::size_t without_correction() const {
+    return without_of_all(particles_, uncorrected_ + (eulerian_ ? eulerian_->without_correction() : 0));
+  }
   bool converts() const { return settings_.conversion.by != Conversion::By::none; }
   double support() const { return Kernel::support * smoothing_range(particles_).second; }
 
@@ -180,11 +191,10 @@ class TotalLagrangianScheme final : public Scheme {
       const auto& r = reference_[i];
       records[i] = {r.x, r.volume, r.smoothing_length, Correction<double, D>::none()};
     });
-    const auto count = particles_.count();
-    uncorrected_ =
-        MixedCorrection<Kernel, D>(least_moment_of_reference).find(neighbours_.pairs(), mirror_, records, count);
-    corrections_.resize(count);
-    for_each(count, [&](std::size_t i) { corrections_[i] = records[i].correction; });
+    uncorrected_ = MixedCorrection<Kernel, D>(least_moment_of_reference)
+                       .find(neighbours_.pairs(), mirror_, records, particles_.count(), nullptr, Owned(particles_));
+    corrections_.resize(particles_.count());
+    for_each(particles_.count(), [&](std::size_t i) { corrections_[i] = records[i].correction; });
   }
 
   /// Copies who is Eulerian into the records: an Eulerian particle has its volume, also where it had failed before and
@@ -284,8 +294,8 @@ class TotalLagrangianScheme final : public Scheme {
                         p.template vectors<D>(Field::acceleration));
     if (hourglass_) {
       const auto hourglass_scope = profile_.time("hourglass");
-      hourglass_->add_forces(neighbours_, mirror_, reference_, motion_, p.scalars(Field::mass),
-                             p.template vectors<D>(Field::acceleration), dt);
+      hourglass_->add_forces(neighbours_, mirror_, reference_, motion_, p, p.template vectors<D>(Field::acceleration),
+                             dt);
     }
     if (eulerian_) {
       if constexpr (D == 2) interface_.add(p, mirror_, reference_, motion_, stress_, shift_);

@@ -22,7 +22,7 @@ list(TRANSFORM ENGINE PREPEND solver/ OUTPUT_VARIABLE FOLDERS_engine)
 list(TRANSFORM ENGINE APPEND / OUTPUT_VARIABLE SEES_engine)
 list(APPEND FOLDERS_engine solver)
 list(APPEND SEES_engine core/ physics/)
-set(THREADS solver/parallel)  # where alone of the engine loops are handed to threads
+set(THREADS solver/parallel)  # where alone of the engine loops are handed to threads, and processes are known
 set(TARGETS_engine tektite_engine tektite-solve)
 set(LINKS_engine tektite_core tektite_physics tektite_engine tektite_options)
 

@@ -17,7 +17,7 @@ inline std::vector<Body> two_bodies() {
 inline Particles filled_particles(Space space) {
   Particles particles(space, two_bodies());
   for (const auto& row : field_table) {
-    if (row.keep == Keep::scratch) continue;
+    if (!saved(row.keep)) continue;
     particles.allocate(row.field);
     if (row.rank == Rank::integer) {
       std::int64_t next = 1000;

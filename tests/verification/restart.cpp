@@ -62,7 +62,7 @@ void check_same(Simulation& a, Simulation& b) {
   CHECK(a.save({}).state == b.save({}).state);
   const auto &p = a.particles(), &q = b.particles();
   for (const auto& row : field_table) {
-    if (row.keep == Keep::scratch) continue;
+    if (!saved(row.keep)) continue;
     INFO(row.name);
     REQUIRE(p.has(row.field) == q.has(row.field));
     if (!p.has(row.field)) continue;

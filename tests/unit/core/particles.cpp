@@ -59,7 +59,7 @@ TEST_CASE("Particles: a permutation moves all numbers of a particle together, in
   const std::vector<std::uint32_t> order{3, 0, 6, 5, 1, 2, 4};
   particles.permute(order);
   for (const auto& row : field_table) {
-    if (row.keep == Keep::scratch) continue;
+    if (!saved(row.keep)) continue;
     const auto width = static_cast<std::size_t>(particles.components(row.field));
     INFO(row.name);
     for (std::size_t k = 0; k < order.size(); ++k)

@@ -38,7 +38,7 @@ void write_bytes(const std::string& path, const std::string& bytes) { std::ofstr
 std::vector<std::string> fields_that_differ(const Particles& a, const Particles& b) {
   std::vector<std::string> names;
   for (const auto& row : field_table) {
-    if (row.keep == Keep::scratch) continue;
+    if (!saved(row.keep)) continue;
     bool same = a.has(row.field) && b.has(row.field);
     if (same && row.rank == Rank::integer)
       same = std::ranges::equal(a.integers(row.field), b.integers(row.field));

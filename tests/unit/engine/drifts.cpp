@@ -184,8 +184,9 @@ TEST_CASE("Time step: the particle that set it is named by its id, also where th
   auto simulation = test::simulation_of(test::impact_scene, test::impact_particles(Space::plane_strain));
   int moved = 0;
   for (int k = 0; k < 400; ++k) {
-    const auto index = simulation.scheme().stable_step().particle;
-    const auto id = simulation.particles().integers(Field::id)[index];
+    const auto id = simulation.scheme().stable_step().particle;
+    const auto ids = simulation.particles().integers(Field::id);
+    const auto index = static_cast<std::size_t>(std::ranges::find(ids, id) - ids.begin());
     simulation.step();
     CHECK(simulation.limiting_particle() == id);
     moved += simulation.particles().integers(Field::id)[index] != id;

@@ -36,7 +36,7 @@ Particles round_body() {
     if (norm(x) < half * spacing && n % 17 != 3) places.push_back(x);
   }
   Particles particles(space, {{"ball", "rubber", spacing, {0, places.size()}}});
-  for (const auto field : {Field::reference_position, Field::smoothing_length}) particles.allocate(field);
+  for (const auto field : {Field::id, Field::reference_position, Field::smoothing_length}) particles.allocate(field);
   for (std::size_t i = 0; i < places.size(); ++i) {
     particles.template vectors<D>(Field::reference_position)[i] = places[i];
     particles.scalars(Field::smoothing_length)[i] = ratio * spacing;
@@ -70,7 +70,8 @@ class State {
     const auto count = particles_.count();
     const ReferencePlaces<D> places(particles_, mirror_, support);
     pairs_ = reference_pairs(places, count, support);
-    lattices_.find(particles_, places.x, places.body, support, {true, false});
+    const std::vector<std::uint8_t> owned(places.x.size(), 1);
+    lattices_.find(particles_, places.x, places.body, owned, support, {true, false});
     const std::size_t all = count + mirror_.images();
     reference_.resize(all);
     motion_.resize(all);

@@ -1,0 +1,225 @@
+#include "parallel/distribution.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numeric>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "parallel/partition.hpp"
+
+namespace tektite {
+namespace {
+
+std::vector<std::uint32_t> owned_in(const Particles& particles) {
+  const Owned owned(particles);
+  std::vector<std::uint32_t> own;
+  for (std::uint32_t i = 0; i < particles.count(); ++i)
+    if (owned(i)) own.push_back(i);
+  return own;
+}
+
+std::size_t slot(int number) { return static_cast<std::size_t>(number); }
+
+/// A number of each rank.
+std::vector<double> numbers_of_all(double own) {
+  std::vector<double> numbers;
+  for (const auto& words : gather_on_all({std::bit_cast<Word>(own)}))
+    numbers.push_back(std::bit_cast<double>(words.front()));
+  return numbers;
+}
+
+std::vector<Words> for_each_rank() { return std::vector<Words>(slot(ranks())); }
+
+Words joined(const std::vector<Words>& all) {
+  Words words;
+  for (const auto& one : all) words.insert(words.end(), one.begin(), one.end());
+  return words;
+}
+
+/// Cells of a halo's width. Their coordinates wrap around, so that each fits into a word: cells that fall together by
+/// that only bring more copies.
+class HaloCells {
+ public:
+  HaloCells(const Particles& particles, const Halo& halo)
+      : dimensions_(static_cast<std::size_t>(particles.dimensions())),
+        // A little wider, so that no rounding parts particles that are nearer than the width by two cells.
+        side_(halo.width * (1.0 + 1e-9)),
+        places_(particles.reals(halo.places)) {}
+
+  Word of(std::size_t i) const {
+    Word key = 0;
+    for (std::size_t k = 0; k < dimensions_; ++k) {
+      const double cell = std::clamp(std::floor(places_[i * dimensions_ + k] / side_), -farthest, farthest);
+      key |= (static_cast<Word>(static_cast<std::int64_t>(cell)) & mask) << (bits * k);
+    }
+    return key;
+  }
+  /// Whether one of those cells is this one or touches it.
+  bool touches(Word key, const std::unordered_set<Word>& cells) const {
+    std::size_t count = 1;
+    for (std::size_t k = 0; k < dimensions_; ++k) count *= 3;
+    for (std::size_t n = 0; n < count; ++n) {
+      Word other = 0;
+      for (std::size_t k = 0, rest = n; k < dimensions_; ++k, rest /= 3)
+        other |= (((key >> (bits * k)) + rest % 3 - 1) & mask) << (bits * k);
+      if (cells.contains(other)) return true;
+    }
+    return false;
+  }
+
+ private:
+  static constexpr std::size_t bits = 21;
+  static constexpr Word mask = (Word{1} << bits) - 1;
+  static constexpr double farthest = 1e15;
+  std::size_t dimensions_;
+  double side_;
+  std::span<const double> places_;
+};
+
+}  // namespace
+
+Distribution::Distribution(Particles& particles) {
+  particles.allocate(Field::sequence);
+  particles.allocate(Field::owner);
+  const auto sequence = particles.integers(Field::sequence);
+  std::iota(sequence.begin(), sequence.end(), std::int64_t{0});
+  note_count_of_all(from_first_rank({particles.count()}).front());
+}
+
+void Distribution::deal(Particles& particles, const Halo& halo) {
+  if (!dealt_ || worth_it(particles)) move(particles, halo);
+  seconds_ = 0.0;
+  steps_ = 0;
+  fetch_copies(particles, halo);
+}
+
+/// Whether the ranks have lost more, since their particles were dealt, than to deal them again takes: by waiting for
+/// the slowest, and by having to compute more copies. Both are measured against the mean of the first steps after that.
+bool Distribution::worth_it(const Particles& particles) {
+  if (steps_ == 0) return false;
+  const auto steps = static_cast<double>(steps_);
+  const auto seconds = numbers_of_all(seconds_ / steps);
+  const double mean = std::accumulate(seconds.begin(), seconds.end(), 0.0) / static_cast<double>(seconds.size());
+  if (fresh_step_ == 0.0) fresh_step_ = mean;
+  lost_ += steps * (std::ranges::max(seconds) - fresh_step_);
+  cost_ = seconds_ / steps / std::max(static_cast<double>(owned_in(particles).size()), 1.0);
+  return lost_ > moving_;
+}
+
+/// The rank that gets each of the own particles.
+std::vector<int> Distribution::new_owners(const Particles& particles, const Halo& halo,
+                                          const std::vector<std::uint32_t>& own) const {
+  const auto dimensions = static_cast<std::size_t>(particles.dimensions());
+  Words words;
+  for (const auto i : own) {
+    PartitionPoint point{{}, particles.integers(Field::id)[i], cost_};
+    for (std::size_t k = 0; k < dimensions; ++k) point.x[k] = particles.reals(halo.places)[i * dimensions + k];
+    for (const double x : point.x) words.push_back(std::bit_cast<Word>(x));
+    words.push_back(std::bit_cast<Word>(point.id));
+    words.push_back(std::bit_cast<Word>(point.cost));
+  }
+  constexpr std::size_t width = 5;
+  const auto all = gather_on_all(words);
+  std::vector<PartitionPoint> points;
+  std::size_t first = 0;
+  for (std::size_t r = 0; r < all.size(); ++r) {
+    if (r == slot(rank())) first = points.size();
+    for (auto word = all[r].begin(); word != all[r].end(); word += width) {
+      const auto number = [&](std::ptrdiff_t k) { return std::bit_cast<double>(word[k]); };
+      points.push_back({{number(0), number(1), number(2)}, std::bit_cast<std::int64_t>(word[3]), number(4)});
+    }
+  }
+  const auto owners = bisect(points, ranks());
+  const auto begin = owners.begin() + static_cast<std::ptrdiff_t>(first);
+  return {begin, begin + static_cast<std::ptrdiff_t>(own.size())};
+}
+
+/// Brings the particles to new owners.
+void Distribution::move(Particles& particles, const Halo& halo) {
+  const auto start = Clock::now();
+  const auto own = owned_in(particles);
+  const auto owners = new_owners(particles, halo, own);
+  for (std::size_t n = 0; n < own.size(); ++n) particles.integers(Field::owner)[own[n]] = owners[n];
+  const PackedLayout layout(particles);
+  auto to = for_each_rank();
+  for (int r = 0; r < ranks(); ++r) {
+    std::vector<std::uint32_t> members;
+    for (std::size_t n = 0; n < own.size(); ++n)
+      if (owners[n] == r) members.push_back(own[n]);
+    layout.pack(particles, members, to[slot(r)]);
+  }
+  particles = layout.build(particles, joined(exchange(to)));
+  const auto seconds = numbers_of_all(std::chrono::duration<double>(Clock::now() - start).count());
+  moving_ = std::ranges::max(seconds);
+  fresh_step_ = lost_ = 0.0;
+  dealt_ = true;
+}
+
+/// The own particles, and copies of all others in the halo.
+void Distribution::fetch_copies(Particles& particles, const Halo& halo) {
+  const auto own = owned_in(particles);
+  const HaloCells cells(particles, halo);
+  std::unordered_map<Word, std::vector<std::uint32_t>> members;  // numbers in `own`
+  for (std::uint32_t n = 0; n < own.size(); ++n) members[cells.of(own[n])].push_back(n);
+  Words keys;
+  for (const auto& [key, inside] : members) keys.push_back(key);
+  const auto keys_of = gather_on_all(keys);
+
+  const PackedLayout layout(particles);
+  auto to = for_each_rank();
+  std::vector<std::vector<std::uint32_t>> sent(to.size());
+  for (int r = 0; r < ranks(); ++r) {
+    if (r == rank()) continue;
+    const std::unordered_set<Word> theirs(keys_of[slot(r)].begin(), keys_of[slot(r)].end());
+    std::vector<std::uint32_t> copied;
+    for (const auto& [key, inside] : members)
+      if (cells.touches(key, theirs))
+        for (const auto n : inside) {
+          sent[slot(r)].push_back(n);
+          copied.push_back(own[n]);
+        }
+    layout.pack(particles, copied, to[slot(r)]);
+  }
+  Words records;
+  layout.pack(particles, own, records);
+  const auto copies = joined(exchange(to));
+  records.insert(records.end(), copies.begin(), copies.end());
+
+  std::vector<std::uint32_t> place;
+  particles = layout.build(particles, records, &place);
+  // Both sides have what goes from one to the other in the order of memory, which is the same for both.
+  to_.assign(to.size(), {});
+  from_.assign(to.size(), {});
+  for (std::size_t r = 0; r < to.size(); ++r) {
+    for (const auto n : sent[r]) to_[r].push_back(place[n]);
+    std::ranges::sort(to_[r]);
+  }
+  const auto owner = particles.integers(Field::owner);
+  for (std::uint32_t i = 0; i < particles.count(); ++i)
+    if (owner[i] != rank()) from_[slot(static_cast<int>(owner[i]))].push_back(i);
+}
+
+void Distribution::refresh(Particles& particles) {
+  const PackedLayout layout(particles);
+  auto to = for_each_rank(), from = for_each_rank();
+  for (std::size_t r = 0; r < to.size(); ++r) {
+    layout.pack(particles, to_[r], to[r]);
+    from[r].resize(from_[r].size() * layout.width());
+  }
+  exchange(to, from);
+  for (std::size_t r = 0; r < from.size(); ++r) layout.unpack(from[r], particles, from_[r]);
+}
+
+Particles Distribution::gather(const Particles& particles) const {
+  const PackedLayout layout(particles);
+  auto to = for_each_rank();
+  layout.pack(particles, owned_in(particles), to.front());
+  auto whole = layout.build(particles, joined(exchange(to)));
+  whole.release(Field::owner);
+  whole.release(Field::sequence);
+  return whole;
+}
+
+}  // namespace tektite

@@ -1,0 +1,50 @@
+#pragma once
+// The particles of a run on several ranks. Each rank has those that it owns and copies of all that are as near to one
+// of them as a step reaches, in the order in which a single process has them. So a step gives its own exactly what it
+// would with all particles; the copies come out wrong near their rim, and are taken from their owners again.
+
+#include <chrono>
+#include <cstdint>
+#include <vector>
+
+#include "core/particles.hpp"
+#include "parallel/halo.hpp"
+#include "parallel/packed.hpp"
+
+namespace tektite {
+
+class Distribution {
+ public:
+  /// Of particles that the first rank alone has; the others know their bodies and fields.
+  explicit Distribution(Particles& particles);
+
+  /// Gives each rank its own particles and copies of those in its halo. The owners change where that is worth it, or at
+  /// the first time.
+  void deal(Particles& particles, const Halo& halo);
+  /// Takes the copies from their owners again.
+  void refresh(Particles& particles);
+  /// All particles on the first rank, as a single process has them; none elsewhere.
+  Particles gather(const Particles& particles) const;
+
+  /// So many seconds this rank has computed a step: by these costs particles are dealt.
+  void note_step(double seconds) { seconds_ += seconds, ++steps_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  bool worth_it(const Particles& particles);
+  std::vector<int> new_owners(const Particles& particles, const Halo& halo,
+                              const std::vector<std::uint32_t>& own) const;
+  void move(Particles& particles, const Halo& halo);
+  void fetch_copies(Particles& particles, const Halo& halo);
+
+  bool dealt_ = false;
+  double seconds_ = 0.0;  ///< of the steps since the last call of deal()
+  std::int64_t steps_ = 0;
+  double cost_ = 1.0;        ///< of one of this rank's particles, s a step
+  double fresh_step_ = 0.0;  ///< seconds of a step right after owners have changed, the mean of all ranks
+  double lost_ = 0.0;        ///< seconds by which the slowest rank has been slower than that since then
+  double moving_ = 0.0;      ///< seconds that a change of owners takes
+  std::vector<std::vector<std::uint32_t>> to_, from_;  ///< who is sent to each rank, and who comes from it
+};
+
+}  // namespace tektite

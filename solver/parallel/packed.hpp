@@ -1,0 +1,38 @@
+#pragma once
+// Particles as messages: a record of words each, with its body and every field that is kept between steps.
+
+#include <span>
+#include <vector>
+
+#include "core/particles.hpp"
+#include "parallel/ranks.hpp"
+
+namespace tektite {
+
+class PackedLayout {
+ public:
+  /// Of particles with these fields.
+  explicit PackedLayout(const Particles& particles);
+
+  std::size_t width() const { return width_; }  ///< words of a record
+  /// Appends the records of some particles.
+  void pack(const Particles& particles, std::span<const std::uint32_t> members, Words& words) const;
+  /// Takes over the fields of as many particles.
+  void unpack(const Words& words, Particles& particles, std::span<const std::uint32_t> members) const;
+  /// Particles of these records, by body, sequence and id: the order that a single process has them in. `place`, if
+  /// given, becomes where each record has come to.
+  Particles build(const Particles& like, const Words& words, std::vector<std::uint32_t>* place = nullptr) const;
+
+  std::size_t offset_of(Field field) const { return offset_[static_cast<std::size_t>(field)]; }
+
+ private:
+  struct Column {
+    Field field;
+    std::size_t offset, components;
+  };
+  std::vector<Column> columns_;
+  std::array<std::size_t, field_count> offset_{};
+  std::size_t width_ = 1;  ///< the body stands first
+};
+
+}  // namespace tektite

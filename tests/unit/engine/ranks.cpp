@@ -1,0 +1,133 @@
+// What several ranks need so that they come to the same bits as one: sums and orders that do not depend on how the
+// particles are grouped, and a partition.
+#include <algorithm>
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+#include "neighbours/order.hpp"
+#include "parallel/packed.hpp"
+#include "parallel/partition.hpp"
+#include "parallel/sums.hpp"
+#include "support/particles.hpp"
+
+using namespace tektite;
+
+namespace {
+
+std::vector<double> numbers_of_many_sizes(std::size_t count) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> sign(-1.0, 1.0), exponent(-30.0, 3.0);
+  std::vector<double> numbers(count);
+  for (auto& number : numbers) number = sign(random) * std::pow(10.0, exponent(random));
+  return numbers;
+}
+
+double sum_of(const std::vector<double>& numbers) {
+  Particles particles(Space::line, {{"all", "metal", 1.0, {0, numbers.size()}}});
+  return sum_over<1>(particles, [&](std::size_t i) { return std::array{numbers[i]}; })[0];
+}
+
+}  // namespace
+
+TEST_CASE("Sums: their bits do not depend on the order, and they are right to the round-off of the largest term") {
+  auto numbers = numbers_of_many_sizes(20000);
+  long double exact = 0.0L;
+  for (const double number : numbers) exact += number;
+  const double sum = sum_of(numbers);
+  CHECK(std::abs(sum - static_cast<double>(exact)) < 1e-12);
+  std::mt19937 random(11);
+  bool plain_differs = false;
+  const double plain = std::accumulate(numbers.begin(), numbers.end(), 0.0);
+  for (int k = 0; k < 20; ++k) {
+    std::ranges::shuffle(numbers, random);
+    CHECK(sum_of(numbers) == sum);
+    plain_differs = plain_differs || std::accumulate(numbers.begin(), numbers.end(), 0.0) != plain;
+  }
+  CHECK(plain_differs);
+}
+
+TEST_CASE("Sums: nothing, infinite and missing numbers come out as what they are") {
+  CHECK(sum_of({0.0, 0.0}) == 0.0);
+  CHECK(sum_of({1e300, -1e300, 1.0}) == 0.0);  // next to the largest term
+  CHECK(sum_of({1e-310, 1e-310}) == 2e-310);
+  CHECK_FALSE(std::isfinite(sum_of({1.0, std::numeric_limits<double>::infinity()})));
+  CHECK(std::isnan(sum_of({1.0, std::numeric_limits<double>::quiet_NaN()})));
+}
+
+TEST_CASE("Order: particles stand by cells and ids, whatever their order was before") {
+  auto particles = test::filled_particles(Space::plane_strain);
+  auto turned = particles;
+  std::vector<std::uint32_t> order;
+  for (const auto& body : particles.bodies())
+    for (std::size_t i = body.range.end; i > body.range.begin; --i) order.push_back(static_cast<std::uint32_t>(i - 1));
+  turned.permute(order);
+  REQUIRE_FALSE(std::ranges::equal(particles.integers(Field::id), turned.integers(Field::id)));
+  for (const double side : {1e-3, 1e3}) {
+    order_in_space<2>(particles, side);
+    order_in_space<2>(turned, side);
+    CHECK(std::ranges::equal(particles.integers(Field::id), turned.integers(Field::id)));
+  }
+}
+
+namespace {
+
+std::vector<std::size_t> sizes_of(const std::vector<int>& part, int parts) {
+  std::vector<std::size_t> sizes(static_cast<std::size_t>(parts), 0);
+  for (const int p : part) ++sizes.at(static_cast<std::size_t>(p));
+  return sizes;
+}
+
+}  // namespace
+
+TEST_CASE("Partition: parts cost the same, and each is a box of its own") {
+  std::vector<PartitionPoint> points;
+  for (int i = 0; i < 60; ++i)
+    for (int j = 0; j < 20; ++j) points.push_back({{0.1 * i, 0.1 * j, 0.0}, 20 * i + j, i < 20 ? 2.0 : 1.0});
+  for (const int parts : {1, 2, 3, 4, 7}) {
+    const auto part = bisect(points, parts);
+    std::vector<double> cost(static_cast<std::size_t>(parts), 0.0);
+    for (std::size_t n = 0; n < points.size(); ++n) cost[static_cast<std::size_t>(part[n])] += points[n].cost;
+    CHECK(std::ranges::max(cost) < 1.02 * 1600.0 / parts + 2.0);
+  }
+  const auto halves = bisect(points, 2);  // across the longer side
+  for (std::size_t n = 0; n + 1 < points.size(); ++n) CHECK(halves[n] <= halves[n + 1]);
+}
+
+TEST_CASE("Partition: all in one place, and more parts than particles") {
+  std::vector<PartitionPoint> points(10);
+  for (int i = 0; i < 10; ++i) points[static_cast<std::size_t>(i)].id = i;
+  CHECK(std::ranges::min(sizes_of(bisect(points, 7), 7)) >= 1);
+  CHECK(std::ranges::max(sizes_of(bisect(points, 23), 23)) == 1);
+  CHECK(bisect({}, 3).empty());
+}
+
+TEST_CASE("Packed particles: records in any order become particles in the order of bodies, sequence and ids") {
+  auto particles = test::filled_particles(Space::solid);
+  particles.allocate(Field::sequence);
+  particles.allocate(Field::owner);
+  const auto sequence = particles.integers(Field::sequence);
+  std::iota(sequence.begin(), sequence.end(), std::int64_t{0});
+  const PackedLayout layout(particles);
+  Words words;
+  const std::vector<std::uint32_t> order{3, 0, 6, 5, 1, 2, 4};
+  layout.pack(particles, order, words);
+  std::vector<std::uint32_t> place;
+  const auto built = layout.build(particles, words, &place);
+  CHECK(place == order);
+  REQUIRE(built.bodies().size() == particles.bodies().size());
+  for (std::size_t k = 0; k < built.bodies().size(); ++k) {
+    CHECK(built.bodies()[k].range.begin == particles.bodies()[k].range.begin);
+    CHECK(built.bodies()[k].range.end == particles.bodies()[k].range.end);
+  }
+  for (const auto& row : field_table) {
+    if (!particles.has(row.field) || row.keep == Keep::scratch) continue;
+    INFO(row.name);
+    if (row.rank == Rank::integer)
+      CHECK(std::ranges::equal(built.integers(row.field), particles.integers(row.field)));
+    else
+      CHECK(std::ranges::equal(built.reals(row.field), particles.reals(row.field)));
+  }
+}
