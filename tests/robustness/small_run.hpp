@@ -110,6 +110,7 @@ class Started {
     siginfo_t info{};
     return ::waitid(P_PID, static_cast<id_t>(child_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == child_;
   }
+  pid_t process() const { return child_; }
   void signal(int number) const { ::kill(child_, number); }
   /// The exit code, or -1 where a signal ended it.
   int wait() {

@@ -1,0 +1,144 @@
+// Several ranks come to the bits of one process, wherever particles fly, and go on from each other's snapshots.
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "robustness/small_run.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace tektite::test;
+using Catch::Matchers::Contains;
+
+/// Started as so many processes; on one machine, however many processors it has.
+std::vector<std::string> on_ranks(int ranks, std::vector<std::string> words) {
+  words.insert(words.begin(), {MPI_LAUNCHER, "--oversubscribe", "--allow-run-as-root", "-n", std::to_string(ranks)});
+  return words;
+}
+
+/// What a run on so many ranks leaves, beside that of one process.
+void check_ranks(const SmallRun& small, const Left& whole, int ranks) {
+  INFO(ranks << " ranks");
+  const auto run = "ranks" + std::to_string(ranks);
+  small.fill(run);
+  const auto outcome = small.program(on_ranks(ranks, small.solving(run)));
+  INFO(outcome.output << outcome.faults);
+  REQUIRE(outcome.code == 0);
+  small.measure(run);
+  const auto left = left_in(small.folder(run));
+  CHECK(left.snapshots == whole.snapshots);
+  CHECK((left.history == whole.history));
+  CHECK((left.last_snapshot == whole.last_snapshot));
+  CHECK(left.measurements == whole.measurements);
+  CHECK_THAT(content_of(small.folder(run + "/run.log")), Contains(std::to_string(ranks) + " ranks of 1 threads"));
+}
+
+/// The processes that this one has started.
+std::vector<pid_t> children_of(pid_t parent) {
+  std::vector<pid_t> children;
+  for (const auto& entry : fs::directory_iterator("/proc")) {
+    std::ifstream file(entry.path() / "stat");
+    std::string number, rest;
+    if (!(file >> number) || !std::getline(file, rest)) continue;
+    std::istringstream behind_name(rest.substr(rest.rfind(')') + 1));
+    char state = ' ';
+    pid_t ppid = 0;
+    if (behind_name >> state >> ppid && ppid == parent) children.push_back(std::stoi(number));
+  }
+  return children;
+}
+
+TEST_CASE("Ranks: two, three, four and seven give the bits of one process") {
+  const SmallRun small("eulerian", {"output.history=2",
+                                    "stop_when.steady={column='centre.pressure', during='2.9 us', "
+                                    "tolerance=1e-9}"});
+  const auto whole = small.unbroken();
+  for (const int ranks : {2, 3, 4, 7}) check_ranks(small, whole, ranks);
+}
+
+TEST_CASE("Ranks: every scheme that is offered on several gives the bits of one process") {
+  const auto settings = GENERATE(values<std::vector<std::string>>(
+      {{"scheme={type='eulerian', correction='mixed', correction_limit=10.0}", "symmetry.middle={axis='y'}",
+        "body.bar.shape.lower=['-16.5 mm', 0]", "body.plate.shape.lower=['0.5 mm', 0]"},
+       {"scheme={type='eulerian', artificial_stress={}}"},
+       {"scheme.type='eulerian'", "space='plane-stress'"},
+       {"scheme.type='godunov-pm'"},
+       {"scheme={type='godunov-split', correction='mixed'}"}}));
+  INFO(settings.front());
+  const SmallRun small("eulerian", settings);
+  check_ranks(small, small.unbroken(), 3);
+}
+
+TEST_CASE("Ranks: a total-Lagrangian bar on an anvil, on a lattice and by lists, has the bits of one process") {
+  const auto settings = GENERATE(values<std::vector<std::string>>(
+      {{"scheme.hourglass_control=0.02"}, {"scheme.correction='none'", "body.bar.arrangement={type='hexagonal'}"}}));
+  INFO(settings.front());
+  const SmallRun small("total-lagrangian", settings);
+  std::ofstream(small.folder("scene.toml")) << R"(
+name = "bar"
+space = "plane-strain"
+spacing = "0.5 mm"
+scheme.type = "total-lagrangian"
+anvil.axis = "y"
+time.end = "3 us"
+output.snapshots = "0.3 us"
+
+[material.aluminium]
+density = "2785 kg/m3"
+eos = { model = "stiffened-gas", bulk_sound_speed = "5328 m/s", grueneisen = 2.0 }
+strength = { model = "perfectly-plastic", shear_modulus = "27.6 GPa", yield_stress = "0.3 GPa" }
+
+[body.bar]
+material = "aluminium"
+shape = { type = "rectangle", lower = [0, 0], upper = ["6 mm", "12 mm"] }
+velocity = [0, "-400 m/s"]
+)";
+  check_ranks(small, small.unbroken(), 3);
+}
+
+TEST_CASE("Ranks: more of them than particles, and a body that flies out of the others' reach") {
+  const SmallRun few("eulerian", {"spacing='8 mm'"});
+  check_ranks(few, few.unbroken(), 7);
+  const SmallRun far("eulerian", {"body.bar.velocity=['-30 km/s', '10 km/s']"});
+  check_ranks(far, far.unbroken(), 3);
+}
+
+TEST_CASE("Ranks: one that dies ends the run, and other numbers of ranks go on from its snapshot") {
+  const SmallRun small("eulerian");
+  const auto whole = small.unbroken();
+  small.fill("killed");
+  auto running = small.start(on_ranks(3, small.solving("killed")));
+  REQUIRE(comes_about([&] { return tektite::snapshot_files(small.folder("killed")).size() >= 4; }));
+  const auto processes = children_of(running.process());
+  REQUIRE(processes.size() == 3);
+  ::kill(processes.back(), SIGKILL);
+  CHECK(running.wait() != 0);
+  REQUIRE(tektite::snapshot_files(small.folder("killed")).size() < whole.snapshots.size());
+  fs::copy(small.folder("killed"), small.folder("alone"), fs::copy_options::recursive);
+  for (const auto& [run, words] :
+       {std::pair("killed", on_ranks(2, small.resuming("killed"))), std::pair("alone", small.resuming("alone"))}) {
+    const auto outcome = small.program(words);
+    INFO(outcome.output << outcome.faults);
+    REQUIRE(outcome.code == 0);
+    small.measure(run);
+    CHECK((left_in(small.folder(run)) == whole));
+  }
+}
+
+TEST_CASE("Ranks: what is not computed on several is refused with what is, and a wrong folder once") {
+  const SmallRun small("adaptle");
+  small.fill("refused");
+  const auto outcome = small.program(on_ranks(2, small.solving("refused")));
+  CHECK(outcome.code == 2);
+  CHECK_THAT(outcome.faults, Contains("scheme = \"adaptle\"") || Contains("adaptle"));
+  CHECK_THAT(outcome.faults, Contains("is not computed on several ranks") && Contains("one process with --threads"));
+  const auto missing = small.program(on_ranks(2, small.solving("missing")));
+  CHECK(missing.code == 2);
+  const auto first = missing.faults.find("there is no such folder");
+  REQUIRE(first != std::string::npos);
+  CHECK(missing.faults.find("there is no such folder", first + 1) == std::string::npos);
+}
+
+}  // namespace
