@@ -63,6 +63,8 @@ int count_of(const Words& words) {
 
 void begin_ranks() {
   if (!started_by_launcher()) return;
+  // Open MPI looks for graphics cards at the X server, and a server that goes away meanwhile ends the process.
+  ::setenv("HWLOC_COMPONENTS", "-gl", 0);  // NOLINT(concurrency-mt-unsafe): nothing else runs yet
   int level = 0;
   MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &level);
   MPI_Comm_rank(MPI_COMM_WORLD, &this_rank);

@@ -12,9 +12,11 @@ namespace fs = std::filesystem;
 using namespace tektite::test;
 using Catch::Matchers::Contains;
 
-/// Started as so many processes; on one machine, however many processors it has.
+/// Started as so many processes; on one machine, however many processors it has. The launcher does not look for
+/// graphics cards at X servers, which are those of other tests and go away.
 std::vector<std::string> on_ranks(int ranks, std::vector<std::string> words) {
-  words.insert(words.begin(), {MPI_LAUNCHER, "--oversubscribe", "--allow-run-as-root", "-n", std::to_string(ranks)});
+  words.insert(words.begin(), {"/usr/bin/env", "HWLOC_COMPONENTS=-gl", MPI_LAUNCHER, "--oversubscribe",
+                               "--allow-run-as-root", "-n", std::to_string(ranks)});
   return words;
 }
 
