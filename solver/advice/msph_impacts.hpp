@@ -8,8 +8,8 @@
 
 namespace tektite {
 
-/// How far the energy of an impact by msph or ssph comes out wrong, where it is more than a few per cent: with strong
-/// forces, which keep neither momentum nor energy where stresses jump, and with bodies of few particles.
+/// How far the energy of an impact by msph or ssph comes out wrong: with strong forces, which keep neither momentum nor
+/// energy where stresses jump, and with bodies of few particles, where some such runs end in an error.
 std::vector<std::string> msph_impacts(const Particles& particles, const RunSettings& settings,
                                       const std::vector<Meeting>& meetings);
 

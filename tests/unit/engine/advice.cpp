@@ -239,7 +239,9 @@ TEST_CASE("Advice: how far the energy of an impact by msph is off, by the forces
   CHECK(says(lines(strong, 1e-3, 10), "off by up to 10 %"));
   CHECK(says(lines(strong, 0.25e-3, 10), "off by up to 15 % of the energy, and by 2 % with scheme.forces"));
   CHECK(says(lines(strong, 1e-3, 1), "off by up to 152 %"));
-  CHECK(says(lines(adjoint, 1e-3, 1), "off by up to 7 %"));
+  CHECK(says(lines(adjoint, 1e-3, 1), "off by up to 7 % of the energy, and 5 of 90 ended in an error"));
+  CHECK(says(lines(strong, 1e-3, 1), "2 of 90"));
+  CHECK_FALSE(says(lines(strong, 1e-3, 10), "of 90"));
   CHECK(lines(adjoint, 0.25e-3, 10).empty());
   CHECK(lines("type = 'eulerian'", 1e-3, 1).empty());
 }
