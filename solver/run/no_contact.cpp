@@ -37,8 +37,8 @@ struct Box {
 
 }  // namespace
 
-std::optional<Warning> no_contact(const Simulation& simulation) {
-  const auto& particles = simulation.particles();
+std::optional<Warning> no_contact(Simulation& simulation) {
+  const auto& particles = simulation.whole();
   if (particles.bodies().size() < 2 || simulation.contact_time()) return std::nullopt;
   std::vector<Box> boxes;
   for (const auto& body : particles.bodies()) {

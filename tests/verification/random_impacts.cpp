@@ -195,7 +195,7 @@ TEST_CASE("Random impacts: mass, momentum and energy are kept", "[random]") {
   on_random_impacts([](const RandomImpact& impact) {
     const auto before = by_id(impact.particles(), Field::mass);
     const auto simulation = computed(impact, impact.particles());
-    CHECK(simulation->scheme().in_contact());  // an impact it was
+    CHECK(simulation->contact_time());  // an impact it was; thin bodies may have flown apart again
     CHECK(by_id(simulation->particles(), Field::mass) == before);
     const auto ledger = simulation->ledger();
     CHECK(simulation->momentum_drift(ledger) < 1e-12);

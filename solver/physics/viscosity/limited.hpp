@@ -6,7 +6,7 @@
 namespace tektite {
 
 /// Monaghan's viscosity on velocities that are brought to the middle between both particles by their own gradients,
-/// limited after van Leer: Frontiere, Raskin and Owen (2017), eq. 33 to 38. Their v̂_ij·x_ij is
+/// limited after van Leer: Frontiere, Raskin and Owen (2017), J. Comp. Phys. 332. Their v̂_ij·x_ij is
 ///   v_ij·x_ij - φ (a + b)/2,  a = x_ij·L_i x_ij,  b = x_ij·L_j x_ij,  φ = 4 ab/(a + b)² where both agree, else 0,
 /// so what is taken off is van Leer's mean of a and b: a linear motion is not damped, a shock is. Their factor for
 /// pairs that are nearer than the spacing is left out: it would damp metal that is pressed flat.
