@@ -78,17 +78,28 @@ std::string places_as_comments(const std::map<std::string, Place>& places) {
   return comments;
 }
 
+/// These comments alone: the lines at the end that begin with a mark, since a text within the scene may hold one too.
+std::string_view comments_below(std::string_view text) {
+  std::size_t begin = 0;
+  for (std::size_t line = 0; line < text.size();) {
+    const auto next = std::min(text.find('\n', line), text.size() - 1) + 1;
+    if (!text.substr(line).starts_with("#@ ")) begin = next;
+    line = next;
+  }
+  return text.substr(begin);
+}
+
 std::string variant_from_comments(std::string_view text) {
-  const auto at = text.find(variant_mark);
-  if (at == std::string_view::npos) return {};
-  const auto name = text.substr(at + variant_mark.size());
-  return std::string(name.substr(0, name.find('\n')));
+  std::istringstream lines{std::string(comments_below(text))};
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with(variant_mark)) return line.substr(variant_mark.size());
+  return {};
 }
 
 std::map<std::string, Place> places_from_comments(std::string_view text) {
   std::map<std::string, Place> places;
   std::string file;
-  std::istringstream lines{std::string(text)};
+  std::istringstream lines{std::string(comments_below(text))};
   for (std::string line; std::getline(lines, line);) {
     if (line.starts_with(file_mark)) file = line.substr(file_mark.size());
     if (!line.starts_with(line_mark)) continue;

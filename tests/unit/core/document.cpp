@@ -87,6 +87,13 @@ TEST_CASE("Document: an unknown variant is answered with the known ones") {
   CHECK_THAT(fault_of([&] { without.load("coarse"); }), Contains("this scene has none"));
 }
 
+TEST_CASE("Document: what marks the comments of an effective scene may stand in a text of it") {
+  const Fixture file("title = \"one #@ variant two\"\nabout = \"\"\"\n#@ variant three\n#@ line 7 title\n\"\"\"\n");
+  const auto again = Document::parse(file.load().text(), "effective");
+  CHECK(again.variant().empty());
+  CHECK(again.text() == file.load().text());
+}
+
 TEST_CASE("Document: settings are laid over the variant, as TOML or as bare text") {
   const Fixture file;
   CHECK(cfl(file.load("fine", {"time.cfl=0.2"})) == 0.2);
