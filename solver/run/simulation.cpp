@@ -32,8 +32,11 @@ constexpr double collapse = 1e-6;
 constexpr double runaway = 10.0;
 
 bool any_clamped(const Particles& particles) {
-  return particles.has(Field::clamped) &&
-         std::ranges::any_of(particles.integers(Field::clamped), [](std::int64_t clamped) { return clamped != 0; });
+  if (!particles.has(Field::clamped)) return false;
+  return reduce(
+      particles, false,
+      [clamped = particles.integers(Field::clamped)](bool& any, std::size_t i) { any = any || clamped[i] != 0; },
+      [](bool& whole, bool part) { whole = whole || part; });
 }
 
 /// Of what several ranks have to say, which is mostly nothing.
@@ -63,7 +66,7 @@ Simulation::Simulation(Snapshot snapshot, RunSettings settings, bool resumed)
   if (ranks() > 1) distribution_.emplace(snapshot_.particles);
   build_scheme();
   if (distribution_) deal(resumed ? state : std::map<std::string, double>());
-  clamped_ = over_ranks(particles(), any_clamped(particles()), [](bool& whole, bool part) { whole = whole || part; });
+  clamped_ = any_clamped(particles());
   if (resumed) {
     restore(state);
     scheme_->restore(state);

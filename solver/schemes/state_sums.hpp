@@ -64,10 +64,21 @@ typename TimeStepLimit<D>::Least least_acoustic_step(const Particles& p, double 
 /// speed would pass through each other without it.
 template <int D>
 double meeting_step(const Particles& p, std::span<const SymmetryPlane> walls) {
-  using Box = VectorBox<D>;
-  const auto take = [v = p.vectors<D>(Field::velocity)](Box& box, std::size_t i) { box.take(v[i]); };
-  const auto velocities = reduce(p, Box{}, take, Box::join);
-  return limit_of(smoothing_range(p).first, velocities.diagonal(walls));
+  struct Extremes {
+    VectorBox<D> velocities{};
+    double least_smoothing = std::numeric_limits<double>::infinity();
+  };
+  const auto extremes = reduce(
+      p, Extremes{},
+      [v = p.vectors<D>(Field::velocity), h = p.scalars(Field::smoothing_length)](Extremes& so_far, std::size_t i) {
+        so_far.velocities.take(v[i]);
+        so_far.least_smoothing = std::min(so_far.least_smoothing, h[i]);
+      },
+      [](Extremes& whole, const Extremes& part) {
+        VectorBox<D>::join(whole.velocities, part.velocities);
+        whole.least_smoothing = std::min(whole.least_smoothing, part.least_smoothing);
+      });
+  return limit_of(extremes.least_smoothing, extremes.velocities.diagonal(walls));
 }
 
 /// The id of the fastest particle; of several the least.

@@ -87,12 +87,7 @@ scheme.type = "total-lagrangian"
 anvil.axis = "y"
 time.end = "3 us"
 output.snapshots = "0.3 us"
-
-[material.aluminium]
-density = "2785 kg/m3"
-eos = { model = "stiffened-gas", bulk_sound_speed = "5328 m/s", grueneisen = 2.0 }
-strength = { model = "perfectly-plastic", shear_modulus = "27.6 GPa", yield_stress = "0.3 GPa" }
-
+)" << small_material << R"(
 [body.bar]
 material = "aluminium"
 shape = { type = "rectangle", lower = [0, 0], upper = ["6 mm", "12 mm"] }

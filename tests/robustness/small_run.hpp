@@ -44,14 +44,17 @@ inline const std::map<std::string, std::string>& schemes() {
   return table;
 }
 
-/// A bar strikes a plate. Some hundred steps, with a snapshot every few of them.
-inline std::string small_scene(const std::string& scheme) {
-  return "name = 'small'\nspace = 'plane-strain'\nspacing = '1 mm'\n" + schemes().at(scheme) + R"(
+/// What bodies of small scenes are made of.
+inline const std::string small_material = R"(
 [material.aluminium]
 density = "2785 kg/m3"
 eos = { model = "stiffened-gas", bulk_sound_speed = "5328 m/s", grueneisen = 2.0 }
 strength = { model = "perfectly-plastic", shear_modulus = "27.6 GPa", yield_stress = "0.3 GPa" }
+)";
 
+/// A bar strikes a plate. Some hundred steps, with a snapshot every few of them.
+inline std::string small_scene(const std::string& scheme) {
+  return "name = 'small'\nspace = 'plane-strain'\nspacing = '1 mm'\n" + schemes().at(scheme) + small_material + R"(
 [body.bar]
 material = "aluminium"
 shape = { type = "rectangle", lower = ["-16.5 mm", "-5 mm"], upper = ["-0.5 mm", "5 mm"] }
