@@ -58,21 +58,20 @@ Moments<D> moments_of(const Particles& p, const Vector<double, D>& origin) {
   const double* mass = p.scalars(Field::mass);
   const auto *x = p.vectors<D>(Field::position), *v = p.vectors<D>(Field::velocity);
   const auto sums = sum_over<1 + 2 * D + 3>(p, [=](std::size_t i) {
-    const auto arm = mass[i] * (x[i] - origin), turning = cross(arm, v[i]);
+    const auto arm = mass[i] * (x[i] - origin);
+    const auto turning = cross(arm, v[i]);
     std::array<double, 1 + 2 * D + 3> terms{mass[i]};
-    for (int k = 0; k < D; ++k) {
-      terms[static_cast<std::size_t>(1 + k)] = arm[k];
-      terms[static_cast<std::size_t>(1 + D + k)] = mass[i] * v[i][k];
-    }
-    for (int k = 0; k < 3; ++k) terms[static_cast<std::size_t>(1 + 2 * D + k)] = turning[k];
+    std::size_t n = 1;
+    for (int k = 0; k < D; ++k) terms[n++] = arm[k];
+    for (int k = 0; k < D; ++k) terms[n++] = mass[i] * v[i][k];
+    for (int k = 0; k < 3; ++k) terms[n++] = turning[k];
     return terms;
   });
   Moments<D> moments{sums[0], {}, {}, {}};
-  for (int k = 0; k < D; ++k) {
-    moments.position[k] = sums[static_cast<std::size_t>(1 + k)];
-    moments.velocity[k] = sums[static_cast<std::size_t>(1 + D + k)];
-  }
-  for (int k = 0; k < 3; ++k) moments.turning[k] = sums[static_cast<std::size_t>(1 + 2 * D + k)];
+  std::size_t n = 1;
+  for (int k = 0; k < D; ++k) moments.position[k] = sums[n++];
+  for (int k = 0; k < D; ++k) moments.velocity[k] = sums[n++];
+  for (int k = 0; k < 3; ++k) moments.turning[k] = sums[n++];
   return moments;
 }
 

@@ -34,8 +34,7 @@ inline std::pair<double, double> smoothing_range(const Particles& particles) {
 
 /// The smallest stable time step of the particles by themselves.
 template <int D>
-typename TimeStepLimit<D>::Least least_stable_step(const Particles& p, double courant,
-                                                   const MonaghanViscosity& viscosity) {
+typename TimeStepLimit<D>::Least least_stable_step(const Particles& p, double courant, const MonaghanPair& viscosity) {
   const TimeStepLimit<D> pass{p.integers(Field::id).data(),
                               courant,
                               viscosity.alpha,

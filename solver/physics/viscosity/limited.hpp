@@ -10,15 +10,11 @@ namespace tektite {
 ///   v_ij·x_ij - φ (a + b)/2,  a = x_ij·L_i x_ij,  b = x_ij·L_j x_ij,  φ = 4 ab/(a + b)² where both agree, else 0,
 /// so what is taken off is van Leer's mean of a and b: a linear motion is not damped, a shock is. Their factor for
 /// pairs that are nearer than the spacing is left out: it would damp metal that is pressed flat.
-struct LimitedViscosity : MonaghanViscosity {
+struct LimitedViscosity : MonaghanPair {
   static constexpr std::string_view name = "limited";
   static constexpr bool reconstructs = true;
 
-  static auto parameters() {
-    using M = LimitedViscosity;
-    return std::array{Parameter<M>{"alpha", &M::alpha, dimension::none, {0.0, 10.0}, "linear coefficient α", 1.0},
-                      Parameter<M>{"beta", &M::beta, dimension::none, {0.0, 10.0}, "quadratic coefficient β", 2.0}};
-  }
+  static auto parameters() { return parameters_of<LimitedViscosity>(); }
 
   /// What stands for v_ij·x_ij above; zero for particles that recede, so that only motion that approaches is damped.
   template <class T>

@@ -7,16 +7,14 @@
 
 namespace tektite {
 
-/// Monaghan's artificial viscosity, Young et al. (2021), eq. 6 and 7:
+/// The term of a pair, Young et al. (2021), eq. 6 and 7:
 ///   Π = (-α c̄ μ + β μ²)/ρ̄ for approaching particles, μ = h v_ij·x_ij/(r² + 0.01 h²).
-struct MonaghanViscosity {
-  static constexpr std::string_view name = "monaghan";
-  static constexpr bool reconstructs = false;  ///< takes the velocities of the particles as they are
+struct MonaghanPair {
   double alpha = 0.0;
   double beta = 0.0;
 
-  static auto parameters() {
-    using M = MonaghanViscosity;
+  template <class M>
+  static auto parameters_of() {
     return std::array{Parameter<M>{"alpha", &M::alpha, dimension::none, {0.0, 10.0}, "linear coefficient α", 1.0},
                       Parameter<M>{"beta", &M::beta, dimension::none, {0.0, 10.0}, "quadratic coefficient β", 2.0}};
   }
@@ -35,6 +33,14 @@ struct MonaghanViscosity {
     const T mu = smaller(approach, T(0.0)) * h * (inverse * rho);
     return {mu * (T(beta) * mu - T(alpha) * c) * (inverse * near), -mu};
   }
+};
+
+/// Monaghan's artificial viscosity: that term of the velocities as they are.
+struct MonaghanViscosity : MonaghanPair {
+  static constexpr std::string_view name = "monaghan";
+  static constexpr bool reconstructs = false;  ///< velocities to the middle of a pair
+
+  static auto parameters() { return parameters_of<MonaghanViscosity>(); }
 };
 
 }  // namespace tektite

@@ -11,8 +11,8 @@ namespace tektite {
 using Viscosity = std::variant<MonaghanViscosity, LimitedViscosity>;
 
 /// α and β, which every one has.
-inline const MonaghanViscosity& coefficients_of(const Viscosity& viscosity) {
-  return std::visit([](const MonaghanViscosity& any) -> const MonaghanViscosity& { return any; }, viscosity);
+inline const MonaghanPair& coefficients_of(const Viscosity& viscosity) {
+  return std::visit([](const MonaghanPair& any) -> const MonaghanPair& { return any; }, viscosity);
 }
 
 /// Whether it reads the particles' velocity gradients.
