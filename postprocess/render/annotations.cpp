@@ -149,12 +149,20 @@ void add_legend(vtkRenderer* overlay, const std::vector<Category>& categories) {
   // A letter is about 0.55 of the font's size wide; a long name moves the legend to the left.
   const double width = 0.7 * line + 0.55 * text_size(overlay, 0.026) * static_cast<double>(longest);
   const double left = std::min(0.87 * size[0], 0.985 * size[0] - width);
-  for (std::size_t k = 0; k < categories.size(); ++k) {
-    const Pixel at{left, 0.8 * size[1] - line * static_cast<double>(k)};
-    add_lines(overlay, {{at, {at.x + 0.5 * line, at.y}}}, 0.5 * line, categories[k].colour);
-    const auto text = add_text(overlay, categories[k].name, {at.x + 0.7 * line, at.y}, text_size(overlay, 0.026));
+  const double top = 0.8 * size[1], bottom = 0.1 * size[1];
+  const auto room = static_cast<std::size_t>((top - bottom) / line);
+  const std::size_t named = categories.size() > room ? room - 1 : categories.size();
+  const auto write = [&](const std::string& words, const Pixel& at) {
+    const auto text = add_text(overlay, words, {at.x + 0.7 * line, at.y}, text_size(overlay, 0.026));
     text->GetTextProperty()->SetVerticalJustificationToCentered();
+  };
+  for (std::size_t k = 0; k < named; ++k) {
+    const Pixel at{left, top - line * static_cast<double>(k)};
+    add_lines(overlay, {{at, {at.x + 0.5 * line, at.y}}}, 0.5 * line, categories[k].colour);
+    write(categories[k].name, at);
   }
+  if (named < categories.size())
+    write(fmt::format("and {} more", categories.size() - named), {left, top - line * static_cast<double>(named)});
 }
 
 void add_scale_bar(vtkRenderer* overlay, vtkRenderer* scene) {

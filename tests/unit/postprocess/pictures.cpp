@@ -82,6 +82,22 @@ TEST_CASE("Pictures: bodies have distinct colours, and an undeformed body shows 
   CHECK(colours.at(blue) > 0.95 * 2e-3 * pixels_per_metre * 0.81 * 400);
 }
 
+TEST_CASE("Pictures: a legend of more bodies than there is room for says how many are left out") {
+  // Colours in the lower right corner, where the legend of 40 bodies would leave the picture.
+  const auto corner = [](int bodies) {
+    Made made(Space::plane_strain);
+    std::vector<Placed> placed;
+    for (int k = 0; k < bodies; ++k) placed.push_back({"b" + std::to_string(k), {k * spacing, 0.0, 0.0}, {}});
+    made.event.last_snapshot = snapshot_of(Space::plane_strain, placed, 8e-6, "", as_it_is);
+    made.event.last = make_whole(made.event.last_snapshot, {});
+    made.measurements.clear();
+    REQUIRE(made.draw(small_picture("body")).size() == 1);
+    return colours_of(made.folder.file("pictures/body.png"), {550, 0, 640, 25}).size();
+  };
+  CHECK(corner(8) == 1);
+  CHECK(corner(40) == 1);
+}
+
 TEST_CASE("Pictures: kernel types have their own two colours, whichever of them there are") {
   Made made(Space::plane_strain);
   made.event.last_snapshot.particles.allocate(Field::kernel_type);
