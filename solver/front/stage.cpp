@@ -131,8 +131,11 @@ int run_stage(Stage stage, const Words& arguments, Show show) {
   const int status = wait_for(child, program_of(stage));
   child_running = 0;
   if (WIFSIGNALED(status))
-    throw RunError(fmt::format("{} was ended by signal {} ({})", program_of(stage), WTERMSIG(status),
-                               words_for_signal(WTERMSIG(status))));
+    throw RunError(fmt::format("{} was ended by signal {} ({}){}", program_of(stage), WTERMSIG(status),
+                               words_for_signal(WTERMSIG(status)),
+                               WTERMSIG(status) == SIGKILL ? ": so the system does where memory runs out, and fewer "
+                                                             "particles need less (a larger spacing, symmetry planes)"
+                                                           : ""));
   const int code = WEXITSTATUS(status);
   if (code == 0 && signal_received != 0) throw RunError(fmt::format("interrupted in {}", program_of(stage)));
   return code;

@@ -126,7 +126,7 @@ struct Alone {
 
 TEST_CASE("Front: a stage that is killed, that cannot be started, or that a signal outlives, is told") {
   CHECK_THAT(Alone("#!/bin/sh\nkill -KILL $$\n").check(),
-             Contains("tektite-preprocess was ended by signal 9 (Killed)"));
+             Contains("tektite-preprocess was ended by signal 9 (Killed): so the system does where memory runs out"));
   CHECK_THAT(Alone("#!/bin/sh\ntrap '' INT\nkill -INT $PPID\nexit 0\n").check(),
              Contains("interrupted in tektite-preprocess"));
   CHECK_THAT(Alone("#!/no/such/interpreter\n").check(),
