@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "advice/contact.hpp"
+#include "advice/locking.hpp"
 #include "advice/msph_impacts.hpp"
 #include "advice/reach.hpp"
 #include "advice/symmetry.hpp"
@@ -97,20 +99,30 @@ void advise_on_mirrors(const Particles& particles, const RunSettings& settings, 
   }
 }
 
+bool none_has_strength(const Particles& particles, const RunSettings& settings) {
+  return std::ranges::all_of(particles.bodies(), [&](const Body& body) {
+    return std::holds_alternative<NoStrength>(settings.materials.at(body.material).strength);
+  });
+}
+
+/// The spaces along a radius know no strength, those about an axis no [contact]; neither knows every scheme.
 void advise_on_revolution(const Particles& particles, const RunSettings& settings, Advice& advice) {
   const auto lines = unused_revolutions(particles, planes_in_use(settings));
-  const auto count = static_cast<double>(particles.count());
-  const bool plane = particles.dimensions() == 2;
-  if (lines.size() == 3)
+  const bool plane = particles.dimensions() == 2, radial = none_has_strength(particles, settings);
+  if (lines.empty() || (plane && !radial)) return;
+  if (lines.size() == 3 && radial) {
     advice.lines.push_back(
-        fmt::format("every body is a ball or a shell about one centre: the space spherical would do"));
-  else
-    for (const auto& line : lines)
-      advice.lines.push_back(fmt::format(
-          "every body is a body of revolution about {}: the space {} would need about {:.0f} particles and save a "
-          "factor of {:.0f}",
-          plane ? std::string("one centre") : fmt::format("an axis along {}", "xyz"[line.axis]),
-          plane ? "cylindrical" : "axisymmetric", line.section_particles, count / line.section_particles));
+        "every body is a ball or a shell about one centre: the space spherical would do, by msph or ssph");
+    return;
+  }
+  const auto& line = lines.front();
+  advice.lines.push_back(fmt::format(
+      "every body is a body of revolution about {}: the space {} would need about {:.0f} particles and save a "
+      "factor of {:.0f}, by {}",
+      plane ? std::string("one centre") : fmt::format("an axis along {}", "xyz"[line.axis]),
+      plane ? "cylindrical" : "axisymmetric", line.section_particles,
+      static_cast<double>(particles.count()) / line.section_particles,
+      plane ? "msph or ssph" : "eulerian, total-lagrangian, msph or ssph without [contact]"));
 }
 
 /// Eulerian kernels leave particles on the axis in a column: it cannot make way for others, and drills ahead where the
@@ -197,10 +209,14 @@ void advise_on_reach(const Particles& particles, const RunSettings& settings, co
 Advice advise(const Particles& particles, const RunSettings& settings, const std::vector<Meeting>& meetings,
               Document& document) {
   Advice advice;
-  advice.lines = in_words(meetings, settings.materials);
+  const double end = settings.from_contact ? std::numeric_limits<double>::infinity() : settings.end;
+  advice.lines = in_words(meetings, settings.materials, end);
   std::ranges::move(misses(particles), std::back_inserter(advice.lines));
+  std::ranges::move(strangers(particles), std::back_inserter(advice.lines));
   advise_on_thickness(particles, settings, advice);
   std::ranges::move(viscous_strengths(particles, settings, meetings), std::back_inserter(advice.lines));
+  for (const auto& body : particles.bodies())
+    if (const auto locks = locking(body.name, settings.materials.at(body.material))) advice.lines.push_back(*locks);
   std::ranges::move(slow_contacts(particles, settings, meetings), std::back_inserter(advice.lines));
   std::ranges::move(msph_impacts(particles, settings, meetings), std::back_inserter(advice.lines));
   advise_on_axis(particles, settings, meetings, advice);

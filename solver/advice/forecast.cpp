@@ -40,10 +40,7 @@ double alpha_of(const RunSettings& settings) {
 double duration(const Simulation& simulation, const std::vector<Meeting>& meetings) {
   if (const double end = simulation.end(); std::isfinite(end)) return end;
   double flight = std::numeric_limits<double>::infinity();
-  for (const auto& meeting : meetings) {
-    const double reach = 2.0 * simulation.particles().reals(Field::smoothing_length)[meeting.first->range.begin];
-    flight = std::min(flight, std::max(0.0, meeting.gap - reach) / meeting.closing_speed);
-  }
+  for (const auto& meeting : meetings) flight = std::min(flight, meeting.arrival);
   return simulation.settings().end + (std::isfinite(flight) ? flight : 0.0);
 }
 

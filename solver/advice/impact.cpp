@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/body_mean.hpp"
+#include "output/progress.hpp"
 #include "physics/eos/shock_slope.hpp"
 
 namespace tektite {
@@ -60,9 +61,11 @@ std::vector<std::string> doubts(const Body& body, const Material& material, cons
 
 /// Two boxes, one of which moves against the other.
 struct Approach {
-  double speed = 0.0;   ///< of the motion, m/s; zero where the boxes do not come nearer
-  double gap = 0.0;     ///< between the boxes, m
-  bool passes = false;  ///< whether the boxes, undeflected, never come within `reach` of each other
+  double speed = 0.0;    ///< of the motion, m/s; zero where the boxes do not come nearer
+  double gap = 0.0;      ///< between the boxes, m
+  double reach = 0.0;    ///< from which on the bodies feel each other, m
+  double arrival = 0.0;  ///< when the boxes come within reach, s
+  bool passes = false;   ///< whether the boxes, undeflected, never come within `reach` of each other
 };
 
 /// Of the boxes about two bodies, by their mean velocities.
@@ -97,17 +100,16 @@ Approach approach(const Particles& particles, const Body& a, const Body& b) {
       last = -1.0;
     }
   }
-  return {along < 0.0 ? std::sqrt(square) : 0.0, std::sqrt(apart), first > last};
+  return {along < 0.0 ? std::sqrt(square) : 0.0, std::sqrt(apart), reach, first, first > last};
 }
 
-/// Visits (first, second, approach) for every two bodies that come nearer.
+/// Visits (first, second, approach) for every two bodies.
 template <class Visit>
-void each_approach(const Particles& particles, const Visit& visit) {
+void each_pair(const Particles& particles, const Visit& visit) {
   const auto& bodies = particles.bodies();
   for (std::size_t a = 0; a < bodies.size(); ++a)
     for (std::size_t b = a + 1; b < bodies.size(); ++b)
-      if (const auto near = approach(particles, bodies[a], bodies[b]); near.speed > 0.0)
-        visit(bodies[a], bodies[b], near);
+      visit(bodies[a], bodies[b], approach(particles, bodies[a], bodies[b]));
 }
 
 }  // namespace
@@ -118,26 +120,35 @@ double wave_speed_at_rest(const Material& material) {
 
 std::vector<Meeting> meetings(const Particles& particles, const std::map<std::string, Material>& materials) {
   std::vector<Meeting> all;
-  each_approach(particles, [&](const Body& a, const Body& b, const Approach& near) {
-    if (near.passes) return;
+  each_pair(particles, [&](const Body& a, const Body& b, const Approach& near) {
+    if (near.speed == 0.0 || near.passes) return;
     const auto shocked =
         std::visit([&](const auto& first, const auto& second) { return match_impedances(first, second, near.speed); },
                    materials.at(a.material).eos, materials.at(b.material).eos);
-    all.push_back({&a, &b, near.speed, near.gap, shocked});
+    all.push_back({&a, &b, near.speed, near.gap, near.arrival, shocked});
   });
   return all;
 }
 
 std::vector<std::string> misses(const Particles& particles) {
   std::vector<std::string> lines;
-  each_approach(particles, [&](const Body& a, const Body& b, const Approach& near) {
-    if (near.passes)
+  each_pair(particles, [&](const Body& a, const Body& b, const Approach& near) {
+    if (near.speed > 0.0 && near.passes)
       lines.push_back(
           fmt::format("{} and {} come nearer at {:.4g} m/s, but pass each other by unless something deflects "
                       "them",
                       a.name, b.name, near.speed));
   });
   return lines;
+}
+
+std::vector<std::string> strangers(const Particles& particles) {
+  bool related = particles.bodies().size() < 2;
+  each_pair(particles, [&](const Body&, const Body&, const Approach& near) {
+    related = related || near.speed > 0.0 || near.gap <= near.reach;
+  });
+  if (related) return {};
+  return {"no two bodies come nearer to each other by the velocities that they start with: none will meet"};
 }
 
 double step_shortening(const std::vector<Meeting>& meetings, const std::map<std::string, Material>& materials,
@@ -152,9 +163,14 @@ double step_shortening(const std::vector<Meeting>& meetings, const std::map<std:
 }
 
 std::vector<std::string> in_words(const std::vector<Meeting>& meetings,
-                                  const std::map<std::string, Material>& materials) {
+                                  const std::map<std::string, Material>& materials, double end) {
   std::vector<std::string> lines;
+  const Meeting* late = nullptr;  // the first one behind the end
   for (const auto& meeting : meetings) {
+    if (meeting.arrival >= end) {
+      if (!late || meeting.arrival < late->arrival) late = &meeting;
+      continue;
+    }
     const auto names =
         fmt::format("{} meets {} at {:.4g} m/s", meeting.first->name, meeting.second->name, meeting.closing_speed);
     if (!meeting.shocked) {
@@ -168,6 +184,10 @@ std::vector<std::string> in_words(const std::vector<Meeting>& meetings,
     for (const auto& [body, state] : {std::pair{meeting.first, &a}, std::pair{meeting.second, &b}})
       for (auto& doubt : doubts(*body, materials.at(body->material), *state)) lines.push_back(std::move(doubt));
   }
+  if (late)
+    lines.push_back(fmt::format("{} meets {} after {} at the earliest, when the run has ended{}", late->first->name,
+                                late->second->name, shown_time(late->arrival),
+                                lines.empty() ? ": by then nothing has met" : "; so do all pairs that are not named"));
   return lines;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "advice/locking.hpp"
 #include "run/energy_debt.hpp"
 #include "run/hourglass_share.hpp"
 #include "run/misfit.hpp"
@@ -12,14 +13,6 @@ namespace tektite {
 namespace {
 
 bool is_gas(const Material& material) { return std::holds_alternative<IdealGas>(material.eos); }
-
-/// Poisson's ratio at rest; a half where there is no shear modulus.
-double poisson_ratio(const Material& material) {
-  const double shear = shear_modulus_of(material);
-  if (shear == 0.0) return 0.5;
-  const double bulk = bulk_modulus_of(material);
-  return (3.0 * bulk - 2.0 * shear) / (6.0 * bulk + 2.0 * shear);
-}
 
 /// Whether no drift of the energy tells of motion that the scheme has made up. Of the others it does, and bodies that
 /// start stretched or pressed without the energy of that are common for them.
@@ -123,11 +116,7 @@ void Watch::look_at(const Particles& particles, const Body& body, const RunSetti
                     settings.scheme.type == "godunov-split" ? "scheme.order = 1, which damps waves, or the limiter "
                                                               "sweby with beta = 1, which steepens them the least,"
                                                             : "another scheme"));
-  if (const double ratio = poisson_ratio(material); ratio > locking_ratio && ratio < 0.5)
-    tell(found, "locking", body.name,
-         fmt::format("Poisson's ratio of {} is {:.4f}: where it bends it is too stiff, by some per cent in "
-                     "total-Lagrangian kernels and more in Eulerian ones, whatever else is right",
-                     body.name, ratio));
+  if (const auto locks = locking(body.name, material)) tell(found, "locking", body.name, *locks);
 }
 
 std::vector<Warning> Watch::note(const std::vector<Warning>& warnings) {

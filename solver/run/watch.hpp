@@ -27,9 +27,6 @@ inline constexpr double untouched_share = 0.001;
 /// Of the specific energy of a gas, at a wall over away from it.
 inline constexpr double notable_heat = 1.2;
 
-/// Of Poisson's ratio: bending is too stiff by 3 % and more from here on (docs/stability.md).
-inline constexpr double locking_ratio = 0.489;
-
 /// Of a body's kinetic energy in its own frame, how much its internal energy lies below zero: none of it is there where
 /// a scheme is right to its order.
 inline constexpr double notable_debt = 0.05;

@@ -1,8 +1,10 @@
 // What tektite check finds in a scene: symmetry, thickness, what waves reach, and the pressure of an impact.
 #include <catch2/catch.hpp>
 
+#include "advice/advise.hpp"
 #include "advice/contact.hpp"
 #include "advice/impact.hpp"
+#include "advice/locking.hpp"
 #include "advice/msph_impacts.hpp"
 #include "advice/reach.hpp"
 #include "advice/symmetry.hpp"
@@ -151,6 +153,75 @@ TEST_CASE("Advice: bodies that come nearer and pass each other by do not meet, a
   CHECK(past(30e-3, {1000.0, -10.0}) == std::pair<std::size_t, std::size_t>{0, 1});
   CHECK(past(30e-3, {1000.0, 2000.0}) == std::pair<std::size_t, std::size_t>{0, 1});
   CHECK(past(30e-3, {-1000.0, 0.0}) == std::pair<std::size_t, std::size_t>{0, 0});
+}
+
+TEST_CASE("Advice: bodies that meet when the run has ended, or never come nearer, are told", "[advice]") {
+  using Catch::Matchers::Contains;
+  const auto settings = settings_of(
+      "space = 'plane-strain'\n[material.metal]\ndensity = 2785.0\n"
+      "eos = { model = 'linear', bulk_modulus = '79 GPa' }\n[body.ball]\nmaterial = 'metal'\n"
+      "[body.plate]\nmaterial = 'metal'\n[time]\nend = '10 us'\n");
+  // 50 mm between them, of which the kernels reach over 2.8 mm: 47.2 µs at 1 km/s.
+  const auto flying = [](double speed) {
+    const Lattice ball{"ball", "metal", 1e-3, {-59e-3, 5e-3}, {10, 10}, {speed, 0.0}};
+    const Lattice plate{"plate", "metal", 1e-3, {0.0, 0.0}, {20, 20}, {0.0, 0.0}};
+    return test::particles_on(Space::plane_strain, {ball, plate}, 2785.0);
+  };
+  const auto towards = flying(1000.0), away = flying(-1000.0);
+  const auto met = meetings(towards, settings.materials);
+  REQUIRE(met.size() == 1);
+  CHECK(met.front().arrival == Approx(47.2e-6).epsilon(1e-6));
+  const auto early = in_words(met, settings.materials, 40e-6), late = in_words(met, settings.materials, 50e-6);
+  REQUIRE(early.size() == 1);
+  CHECK_THAT(early.front(), Contains("ball meets plate after 47.2 µs at the earliest") && Contains("nothing has met"));
+  CHECK_THAT(late.front(), Contains("ball meets plate at 1000 m/s") && Contains("by Hugoniot matching"));
+  CHECK(strangers(towards).empty());
+  CHECK(strangers(away).size() == 1);
+  const auto touching = test::particles_on(Space::plane_strain,
+                                           {{"left", "metal", 1e-3, {-9e-3, 0.0}, {9, 9}, {-10.0, 0.0}},
+                                            {"right", "metal", 1e-3, {0.0, 0.0}, {9, 9}, {0.0, 0.0}}},
+                                           2785.0);
+  CHECK(strangers(touching).empty());
+}
+
+TEST_CASE("Advice: only spaces are named that know the strength of the bodies", "[advice]") {
+  using Catch::Matchers::Contains;
+  const auto said = [](int dimensions, const std::string& strength) {
+    const std::string scene = std::string("space = '") + (dimensions == 2 ? "plane-strain" : "solid") +
+                              "'\nscheme.type = 'eulerian'\n[material.metal]\ndensity = 1.0\n"
+                              "eos = { model = 'linear', bulk_modulus = '79 GPa' }\n" +
+                              strength + "[body.ball]\nmaterial = 'metal'\n[time]\nend = '10 us'\n";
+    auto document = Document::parse("name = 'test'\n" + scene, "test scene");
+    const auto settings = read_run_settings(document);
+    const auto particles = test::particles_on(dimensions == 2 ? Space::plane_strain : Space::solid,
+                                              {test::ball(dimensions, 1.0, 10.0)}, 1.0);
+    std::string lines;
+    for (const auto& line : advise(particles, settings, {}, document).lines) lines += line + "\n";
+    return lines;
+  };
+  const std::string strong = "strength = { model = 'elastic', shear_modulus = '27 GPa' }\n";
+  CHECK_THAT(said(3, ""), Contains("the space spherical would do, by msph or ssph"));
+  CHECK_THAT(said(3, strong), Contains("the space axisymmetric would need") && !Contains("spherical"));
+  CHECK_THAT(said(2, ""), Contains("the space cylindrical would need") && Contains("by msph or ssph"));
+  CHECK_THAT(said(2, strong), !Contains("cylindrical"));
+}
+
+TEST_CASE("Advice: what locks where it bends is told before the run, with both moduli", "[advice]") {
+  using Catch::Matchers::Contains;
+  const auto material = [](double shear) {
+    return settings_of(
+               "space = 'line'\n[material.metal]\ndensity = 2785.0\n"
+               "eos = { model = 'linear', bulk_modulus = '79 GPa' }\n"
+               "strength = { model = 'elastic', shear_modulus = " +
+               std::to_string(shear) + " }\n[body.bar]\nmaterial = 'metal'\n[time]\nend = '10 us'\n")
+        .materials.at("metal");
+  };
+  CHECK_FALSE(locking("bar", material(27e9)));
+  const auto rubbery = locking("bar", material(0.9e9));
+  REQUIRE(rubbery);
+  CHECK_THAT(*rubbery, Contains("0.4943") && Contains("79 GPa") && Contains("0.9 GPa"));
+  INFO("a modulus in GPa without its unit");
+  CHECK(locking("bar", material(27.6)));
 }
 
 TEST_CASE("Advice: artificial viscosity is named where it bears more than the flow stress", "[advice]") {
