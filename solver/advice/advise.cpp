@@ -8,12 +8,12 @@
 #include <limits>
 
 #include "advice/contact.hpp"
-#include "advice/locking.hpp"
 #include "advice/msph_impacts.hpp"
 #include "advice/reach.hpp"
 #include "advice/symmetry.hpp"
 #include "advice/thickness.hpp"
 #include "advice/viscosity.hpp"
+#include "run/locking.hpp"
 
 namespace tektite {
 namespace {

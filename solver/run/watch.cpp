@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "advice/locking.hpp"
 #include "run/energy_debt.hpp"
 #include "run/hourglass_share.hpp"
+#include "run/locking.hpp"
 #include "run/misfit.hpp"
 #include "run/too_near.hpp"
 #include "run/wall_heating.hpp"

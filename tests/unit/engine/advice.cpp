@@ -4,12 +4,12 @@
 #include "advice/advise.hpp"
 #include "advice/contact.hpp"
 #include "advice/impact.hpp"
-#include "advice/locking.hpp"
 #include "advice/msph_impacts.hpp"
 #include "advice/reach.hpp"
 #include "advice/symmetry.hpp"
 #include "advice/thickness.hpp"
 #include "advice/viscosity.hpp"
+#include "run/locking.hpp"
 #include "support/lattice.hpp"
 
 using namespace tektite;

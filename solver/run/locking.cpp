@@ -1,4 +1,4 @@
-#include "advice/locking.hpp"
+#include "run/locking.hpp"
 
 #include <fmt/format.h>
 
