@@ -22,7 +22,7 @@ struct EnergySums {
     const double m = mass[i];
     std::array<double, count> terms{0.5 * m * dot(velocity[i], velocity[i]), m * energy[i],
                                     plastic_work ? m * plastic_work[i] : 0.0, viscous_work ? m * viscous_work[i] : 0.0};
-    for (int k = 0; k < D; ++k) terms[static_cast<std::size_t>(4 + k)] = m * velocity[i][k];
+    for (int k = 0; k < D; ++k) terms[4 + static_cast<std::size_t>(k)] = m * velocity[i][k];
     return terms;
   }
 };
