@@ -14,7 +14,7 @@ const double row_distance = std::sqrt(3.0) / 2.0;
 const double layer_distance = std::sqrt(2.0 / 3.0);
 const double hollow = std::sqrt(3.0) / 6.0;  // in y, from a particle to the hollow half a spacing ahead in x
 
-class ClosePacked : public Arrangement {
+class ClosePacked final : public Arrangement {
  public:
   ClosePacked(int period, std::optional<Point> origin) : period_(period), origin_(origin) {}
 

@@ -10,7 +10,7 @@ namespace {
 
 const double row_distance = std::sqrt(3.0) / 2.0;
 
-class Hexagonal : public Arrangement {
+class Hexagonal final : public Arrangement {
  public:
   explicit Hexagonal(std::optional<Point> origin) : origin_(origin) {}
 

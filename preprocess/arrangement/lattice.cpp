@@ -25,7 +25,7 @@ struct Axis {
   long long count = 1;
 };
 
-class Lattice : public Arrangement {
+class Lattice final : public Arrangement {
  public:
   Lattice(Convention convention, std::optional<Point> origin) : convention_(convention), origin_(origin) {}
 

@@ -10,7 +10,7 @@
 namespace tektite::preprocess {
 namespace {
 
-class LatticeWithRings : public Arrangement {
+class LatticeWithRings final : public Arrangement {
  public:
   LatticeWithRings(int rings, Rounding outer, Rounding inner, double start_angle)
       : rings_(rings), outer_(outer), inner_(inner), start_angle_(start_angle) {}

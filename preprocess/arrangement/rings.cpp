@@ -11,7 +11,7 @@
 namespace tektite::preprocess {
 namespace {
 
-class Rings : public Arrangement {
+class Rings final : public Arrangement {
  public:
   Rings(Rounding rounding, bool edges_included, double start_angle)
       : rounding_(rounding), edges_included_(edges_included), start_angle_(start_angle) {}

@@ -28,7 +28,7 @@ void append_shell(std::vector<Point>& positions, const Point& centre, double rad
   }
 }
 
-class Shells : public Arrangement {
+class Shells final : public Arrangement {
  public:
   explicit Shells(bool edges_included) : edges_included_(edges_included) {}
 

@@ -12,7 +12,7 @@ namespace {
 
 enum class Operation { join, subtract, intersect };
 
-class Boolean : public Shape {
+class Boolean final : public Shape {
  public:
   Boolean(Operation operation, std::vector<ShapePointer> parts, int dimensions)
       : operation_(operation), parts_(std::move(parts)), dimensions_(dimensions) {

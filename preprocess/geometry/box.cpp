@@ -8,7 +8,7 @@
 namespace tektite::preprocess {
 namespace {
 
-class BoxShape : public Shape {
+class BoxShape final : public Shape {
  public:
   BoxShape(const Point& lower, const Point& upper) : lower_(lower), upper_(upper) {}
 

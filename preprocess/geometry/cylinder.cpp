@@ -9,7 +9,7 @@
 namespace tektite::preprocess {
 namespace {
 
-class Cylinder : public AxialShape {
+class Cylinder final : public AxialShape {
  public:
   Cylinder(const Axis& axis, double length, double inner, double outer)
       : AxialShape(axis), length_(length), inner_(inner), outer_(outer) {}

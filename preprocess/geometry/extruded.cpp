@@ -10,7 +10,7 @@
 namespace tektite::preprocess {
 namespace {
 
-class Extruded : public Shape {
+class Extruded final : public Shape {
  public:
   Extruded(std::vector<PlanePoint> corners, int axis, double lower, double upper)
       : corners_(std::move(corners)), axis_(axis), lower_(lower), upper_(upper) {}

@@ -27,7 +27,7 @@ Surface moved(const Surface& surface, const Placement& placement) {
   return Surface(mesh);
 }
 
-class MeshShape : public Shape {
+class MeshShape final : public Shape {
  public:
   explicit MeshShape(MeshFile file) : file_(std::move(file)), rows_(std::make_unique<MeshRows>(file_.surface)) {}
 

@@ -14,7 +14,7 @@
 namespace tektite::preprocess {
 namespace {
 
-class Ogive : public AxialShape {
+class Ogive final : public AxialShape {
  public:
   Ogive(const Axis& axis, double radius, double nose, double shank)
       : AxialShape(axis),

@@ -8,7 +8,7 @@
 namespace tektite::preprocess {
 namespace {
 
-class Polygon : public Shape {
+class Polygon final : public Shape {
  public:
   explicit Polygon(std::vector<PlanePoint> corners) : corners_(std::move(corners)) {}
 

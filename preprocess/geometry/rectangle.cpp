@@ -9,7 +9,7 @@
 namespace tektite::preprocess {
 namespace {
 
-class Rectangle : public Shape {
+class Rectangle final : public Shape {
  public:
   Rectangle(const Point& lower, const Point& upper) : lower_(lower), upper_(upper) {}
 

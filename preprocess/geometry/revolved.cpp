@@ -11,7 +11,7 @@
 namespace tektite::preprocess {
 namespace {
 
-class Revolved : public AxialShape {
+class Revolved final : public AxialShape {
  public:
   Revolved(const Axis& axis, std::vector<PlanePoint> corners) : AxialShape(axis), corners_(std::move(corners)) {}
 

@@ -8,7 +8,7 @@
 namespace tektite::preprocess {
 namespace {
 
-class Segment : public Shape {
+class Segment final : public Shape {
  public:
   Segment(double lower, double upper) : lower_(lower), upper_(upper) {}
 

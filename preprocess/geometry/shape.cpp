@@ -6,7 +6,7 @@ namespace tektite::preprocess {
 namespace {
 
 /// A shape that answers every question in the place where it was before the motion.
-class Placed : public Shape {
+class Placed final : public Shape {
  public:
   Placed(ShapePointer shape, const Placement& placement) : shape_(std::move(shape)), placement_(placement) {}
 

@@ -9,7 +9,7 @@
 namespace tektite::preprocess {
 namespace {
 
-class Pulse : public VelocityField {
+class Pulse final : public VelocityField {
  public:
   Pulse(double speed, double centre, double width) : speed_(speed), centre_(centre), width_(width) {}
 

@@ -5,7 +5,7 @@
 namespace tektite::preprocess {
 namespace {
 
-class Radial : public VelocityField {
+class Radial final : public VelocityField {
  public:
   Radial(double speed, const Point& centre) : speed_(speed), centre_(centre) {}
 

@@ -6,7 +6,7 @@
 namespace tektite::preprocess {
 namespace {
 
-class RadialInverse : public VelocityField {
+class RadialInverse final : public VelocityField {
  public:
   RadialInverse(double speed, double radius, const Point& centre) : strength_(speed * radius), centre_(centre) {}
 

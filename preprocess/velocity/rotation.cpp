@@ -6,7 +6,7 @@
 namespace tektite::preprocess {
 namespace {
 
-class Rotation : public VelocityField {
+class Rotation final : public VelocityField {
  public:
   Rotation(const Point& rate, const Point& centre) : rate_(rate), centre_(centre) {}
 

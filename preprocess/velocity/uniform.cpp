@@ -5,7 +5,7 @@
 namespace tektite::preprocess {
 namespace {
 
-class Uniform : public VelocityField {
+class Uniform final : public VelocityField {
  public:
   explicit Uniform(const Point& velocity) : velocity_(velocity) {}
   Point at(const Point&) const override { return velocity_; }
