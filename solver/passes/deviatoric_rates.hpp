@@ -15,6 +15,7 @@ namespace tektite {
 /// velocity. With corrected gradients both particles have their own, so that those that accelerate are those that
 /// strain, and energy is conserved as well:
 ///   dṽ/dt = (1/ρ_i) Σ V_j (τ_i ∇̃_iW̃_ij - τ_j ∇̃_jW̃_ji),  power = (1/ρ_i) τ_i : Σ V_j (v_j - v_i) ⊗ ∇̃_iW̃_ij
+/// and the gradient that is wanted is that of ṽ, which is summed when it is known.
 template <class Kernel, class Smoothing, int D, int order, class Gradients = PlainGradients<D>>
 struct DeviatoricRates {
   using Record = DeviatoricRecord<D>;
@@ -96,7 +97,8 @@ struct DeviatoricRates {
       for (int k = 0; k < D; ++k) {
         sums.density[k] += density * gradient[k];
         sums.pressure[k] += pressure * gradient[k];
-        for (int i = 0; i < D; ++i) sums.velocity(i, k) += v[i] * gradient[k];
+        if constexpr (!Gradients::corrected)
+          for (int i = 0; i < D; ++i) sums.velocity(i, k) += v[i] * gradient[k];
       }
     }
   }
@@ -109,7 +111,8 @@ struct DeviatoricRates {
       auto& h = hydrodynamic[i];
       for (int k = 0; k < D; ++k) h.density_gradient[k] = sum(sums.density[k]);
       for (int k = 0; k < D; ++k) h.pressure_gradient[k] = sum(sums.pressure[k]);
-      for (int k = 0; k < D * D; ++k) h.velocity_gradient.c[k] = sum(sums.velocity.c[k]);
+      if constexpr (!Gradients::corrected)
+        for (int k = 0; k < D * D; ++k) h.velocity_gradient.c[k] = sum(sums.velocity.c[k]);
     }
   }
 };

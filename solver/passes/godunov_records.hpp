@@ -32,8 +32,8 @@ struct alignas(pack_width * sizeof(double)) DeviatoricRecord {
   }
 };
 
-/// What the hydrodynamic half needs; the gradients, of the state at the start of the step, are read in second order
-/// only.
+/// What the hydrodynamic half needs; the gradients, of the state at the start of the step (with corrected sums that of
+/// the velocity is of ṽ), are read in second order only.
 template <int D>
 struct alignas(pack_width * sizeof(double)) HydrodynamicRecord {
   Vector<double, D> x;      ///< m

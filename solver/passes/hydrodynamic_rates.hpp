@@ -29,8 +29,11 @@ struct NoReconstruction {};
 ///   tr L* = Σ V_j ((ṽ_j - ṽ_i)·∇̃_iW̃_ij + 2 w g)      exact for linear fields
 ///   power = -(1/ρ_i) Σ V_j (p_i (ṽ_j - ṽ_i)·∇̃_iW̃_ij + (p_i + p_j) w g + 2 π v* g)
 /// whose sum over a pair is the work of its forces. In a pair with a failed particle p_i and p_j are not below zero.
-/// The sides then are those of the middle of the step, p - ½ Δt ρ c² tr L and v - ½ Δt ∇p/ρ, in place of the domain of
-/// influence: that one sees e·L e, which is not zero in shear, as a viscosity would.
+/// In second order p_i and p_j are those of the end of the step, p - Δt ρ c² tr L with L of ṽ, and the velocities those
+/// of its start: pressures change by ṽ and velocities by these pressures, with sums that are each other's adjoint, as
+/// in a leapfrog, so that no motion grows by the step, up to free surfaces. The domain of influence sees e·L e, which
+/// is not zero in shear, as a viscosity would; the middle of the step for both, with v - ½ Δt ∇p/ρ, misses what a free
+/// surface accelerates, where an even pressure has no gradient.
 template <class Kernel, class Smoothing, int D, class Solver, class Limiter, class Gradients = PlainGradients<D>>
 struct HydrodynamicRates {
   using Record = HydrodynamicRecord<D>;
@@ -100,11 +103,14 @@ struct HydrodynamicRates {
     RiemannSide<Pack> right{a.pressure, Pack(0.0), a.density, a.sound_speed, a.shock_slope, a.inverse_slope};
     RiemannSide<Pack> left{rest[1], closing, rest[0], rest[2], rest[3], rest[4]};
     const auto failed = a.failed + rest[7] > Pack(0.0);
+    Pack own_pressure = a.pressure, other_pressure = rest[1];  // which act with the gradients of each
     if constexpr (reconstructs) {
       const Pack intact = select(failed, Pack(0.0), Pack(0.5)), time = Pack(step);
       const Pack* const slopes = b + Record::plain;
       if constexpr (Gradients::corrected) {
-        evolve(a, slopes, pair.e, intact * time, left, right);
+        const Pack whole_step = select(failed, Pack(0.0), time);
+        own_pressure = advance(right, a.velocity_gradient.c, whole_step);
+        other_pressure = advance(left, slopes + 2 * D, whole_step);
         reconstruct(a, slopes, pair.e, intact * pair.distance, intact * pair.distance, left, right);
       } else {
         reconstruct(a, slopes, pair.e, intact * larger(pair.distance - time * left.sound_speed, Pack(0.0)),
@@ -116,8 +122,8 @@ struct HydrodynamicRates {
 
     if constexpr (Gradients::corrected) {
       const auto least = select(failed, Pack(0.0), Pack(-std::numeric_limits<double>::infinity()));
-      add_corrected(rest[5], gradients.of_pair(a.gradients, j, x, h), pair.e, v, closing, larger(a.pressure, least),
-                    larger(rest[1], least), star, sums);
+      add_corrected(rest[5], gradients.of_pair(a.gradients, j, x, h), pair.e, v, closing, larger(own_pressure, least),
+                    larger(other_pressure, least), star, sums);
     } else {
       add_plain(rest[5] * pair.slope, pair.e, v, star, sums);
     }
@@ -165,22 +171,15 @@ struct HydrodynamicRates {
     sums.divergence += volume * (strain + beyond);
   }
 
-  /// Brings both sides to the middle of the step, each with its own gradients.
-  static void evolve(const Self& a, const Pack* slopes, const Vector<Pack, D>& e, const Pack& half_step,
-                     RiemannSide<Pack>& left, RiemannSide<Pack>& right) {
-    const auto advance = [&](RiemannSide<Pack>& side, const Pack* slope_of_pressure, const Pack* slopes_of_velocity) {
-      Pack expansion = slopes_of_velocity[0], push = slope_of_pressure[0] * e[0];
-      for (int k = 1; k < D; ++k) {
-        expansion += slopes_of_velocity[k * D + k];
-        push += slope_of_pressure[k] * e[k];
-      }
-      const Pack thinning = half_step * expansion * side.density;
-      side.pressure -= thinning * side.sound_speed * side.sound_speed;
-      side.velocity -= half_step * push / side.density;
-      side.density -= thinning;
-    };
-    advance(left, slopes + D, slopes + 2 * D);
-    advance(right, a.pressure_gradient.c, a.velocity_gradient.c);
+  /// Brings pressure and density of a side to the end of the step with its own gradient of the velocity; the pressure
+  /// there.
+  static Pack advance(RiemannSide<Pack>& side, const Pack* slopes_of_velocity, const Pack& whole_step) {
+    Pack expansion = slopes_of_velocity[0];
+    for (int k = 1; k < D; ++k) expansion += slopes_of_velocity[k * D + k];
+    const Pack thinning = whole_step * expansion * side.density;
+    side.density -= thinning;
+    side.pressure -= thinning * side.sound_speed * side.sound_speed;
+    return side.pressure;
   }
 
   /// Brings both sides to the middle of the pair with their limited slopes; `slopes` are the left particle's.

@@ -15,7 +15,7 @@ namespace tektite {
 /// problems. The gradients that second order needs are summed up beside the deviatoric forces, from the state at the
 /// start of the step: that of the velocity lacks the change by the deviatoric half, a term of second order in what is
 /// reconstructed. With the mixed correction every sum over pairs takes its gradients, found anew for the places of each
-/// search.
+/// search, and the gradient of the velocity, by which the pressures are advanced, is that behind the deviatoric half.
 template <Space space, class Kernel>
 class GodunovSplitScheme final : public GodunovScheme<space, Kernel, HydrodynamicRecord<dimensions_of(space)>> {
   using Base = GodunovScheme<space, Kernel, HydrodynamicRecord<dimensions_of(space)>>;
@@ -43,6 +43,7 @@ class GodunovSplitScheme final : public GodunovScheme<space, Kernel, Hydrodynami
     this->search(dt);
     find_correction();
     kick_by_deviator(part, true);
+    if (settings_.corrected_eulerian && godunov_.order == 2) find_gradient_after_kick();
     solve_contacts(dt);
     this->find_contact(dt);
     advance(dt, part);
@@ -56,7 +57,7 @@ class GodunovSplitScheme final : public GodunovScheme<space, Kernel, Hydrodynami
 
   std::optional<Halo> halo(const std::map<std::string, double>& state) const override {
     if (contact_ || godunov_.strang) return std::nullopt;  // strang searches in the middle of a step
-    return neighbourhood_.halo(state, settings_.corrected_eulerian ? 3 : 2);
+    return neighbourhood_.halo(state, !settings_.corrected_eulerian ? 2 : godunov_.order == 2 ? 4 : 3);
   }
 
   std::size_t memory() const override {
@@ -112,6 +113,23 @@ class GodunovSplitScheme final : public GodunovScheme<space, Kernel, Hydrodynami
     materials_.for_each_run([&](const Run& run) {
       run_through(run.range, KickDeviatoric<D>{acceleration, power_.data(), dt, p.template vectors<D>(Field::velocity),
                                                p.scalars(Field::specific_internal_energy)});
+    });
+  }
+
+  /// That of the velocity that the kick leaves.
+  void find_gradient_after_kick() {
+    find_velocity_gradient();
+    const auto* const gradient = particles_.template tensors<D>(Field::velocity_gradient);
+    for_each(particles_.count(), [this, gradient](std::size_t i) { records_[i].velocity_gradient = gradient[i]; });
+  }
+
+  void find_velocity_gradient() {
+    assemble_deviatoric();
+    const auto scope = profile_.time("velocity gradients");
+    with_gradients([&]<class Smoothing, class Gradients>(const Smoothing& smoothing, const Gradients& gradients) {
+      for_each_pair(neighbourhood_.pairs(), VelocityGradient<Kernel, Smoothing, D, Gradients>{
+                                                deviatoric_.data(), smoothing,
+                                                particles_.template tensors<D>(Field::velocity_gradient), gradients});
     });
   }
 
@@ -203,15 +221,7 @@ class GodunovSplitScheme final : public GodunovScheme<space, Kernel, Hydrodynami
   void finish_symmetrically(double part) {
     this->search(0.0);
     find_correction();
-    assemble_deviatoric();
-    {
-      const auto scope = profile_.time("deviatoric pairs");
-      with_gradients([&]<class Smoothing, class Gradients>(const Smoothing& smoothing, const Gradients& gradients) {
-        for_each_pair(neighbourhood_.pairs(), VelocityGradient<Kernel, Smoothing, D, Gradients>{
-                                                  deviatoric_.data(), smoothing,
-                                                  particles_.template tensors<D>(Field::velocity_gradient), gradients});
-      });
-    }
+    find_velocity_gradient();
     materials_.for_each_run([&](const Run& run) {
       advance_stress(run, part);
       materials_.release(run, materials_.symmetrics(run, Field::deviatoric_stress),

@@ -150,13 +150,11 @@ TEST_CASE("Contact: the shock behind it is as strong by the Godunov schemes, wha
        {"type = 'godunov-pm'", "type = 'godunov-split', order = 1", "type = 'godunov-split'",
         "type = 'godunov-split', splitting = 'strang'", "type = 'godunov-split', correction = 'mixed'"}) {
     INFO(scheme);
-    const bool corrected = scheme.find("mixed") != std::string::npos;
     const auto [coarse, coarse_drift] = struck(scheme, 0.5);
     const auto [fine, fine_drift] = struck(scheme, 0.125);
     CHECK(coarse == Approx(0.5 * flight).epsilon(0.06));
     CHECK(fine == Approx(coarse).epsilon(0.02));
-    // With corrected gradients the place moves with the velocity of the start of a step: of first order in the step.
-    CHECK(std::abs(coarse_drift) < (corrected ? 0.03 : 1e-3));
-    CHECK(std::abs(fine_drift) < (corrected ? 0.01 : 1e-4));
+    CHECK(std::abs(coarse_drift) < 1e-3);
+    CHECK(std::abs(fine_drift) < 1e-4);
   }
 }
