@@ -14,6 +14,7 @@
 #include "advice/thickness.hpp"
 #include "advice/viscosity.hpp"
 #include "run/locking.hpp"
+#include "schemes/godunov_settings.hpp"
 
 namespace tektite {
 namespace {
@@ -144,6 +145,15 @@ void advise_on_axis(const Particles& particles, const RunSettings& settings, con
           meeting.first->name, meeting.second->name));
 }
 
+/// The pressure's kick comes between the two halves that strain the stress, and waves that bear shear grow by that.
+void advise_on_splitting(const Particles& particles, const RunSettings& settings, Advice& advice) {
+  const auto& godunov = settings.scheme.godunov;
+  if (godunov && godunov->strang && !none_has_strength(particles, settings))
+    advice.lines.push_back(
+        "scheme.splitting = 'strang': elastic waves gain motion out of nothing in every step (docs/stability.md); "
+        "lie-trotter does not, and without strength neither does");
+}
+
 /// Edges of a trimmed box, on cells of the lattice that starts at the lower corner; where nothing is trimmed, as they
 /// were.
 struct Edges {
@@ -220,6 +230,7 @@ Advice advise(const Particles& particles, const RunSettings& settings, const std
   std::ranges::move(slow_contacts(particles, settings, meetings), std::back_inserter(advice.lines));
   std::ranges::move(msph_impacts(particles, settings, meetings), std::back_inserter(advice.lines));
   advise_on_axis(particles, settings, meetings, advice);
+  advise_on_splitting(particles, settings, advice);
   advise_on_mirrors(particles, settings, advice);
   advise_on_revolution(particles, settings, advice);
   advise_on_reach(particles, settings, meetings, document, advice);

@@ -8,6 +8,7 @@
 #include "run/misfit.hpp"
 #include "run/too_near.hpp"
 #include "run/wall_heating.hpp"
+#include "schemes/godunov_settings.hpp"
 
 namespace tektite {
 namespace {
@@ -17,6 +18,12 @@ bool is_gas(const Material& material) { return std::holds_alternative<IdealGas>(
 /// Whether no drift of the energy tells of motion that the scheme has made up. Of the others it does, and bodies that
 /// start stretched or pressed without the energy of that are common for them.
 bool keeps_total(const SchemeSettings& scheme) { return scheme.type.starts_with("godunov"); }
+
+std::string_view remedy_for_debt(const SchemeSettings& scheme) {
+  if (scheme.type != "godunov-split") return "another scheme";
+  if (scheme.godunov->strang) return "scheme.splitting = 'lie-trotter', or a smaller scheme.courant,";
+  return "scheme.order = 1, which damps waves, or the limiter sweby with beta = 1, which steepens them the least,";
+}
 
 /// Beside total-Lagrangian kernels, as far as the scheme knows it.
 std::string_view other_remedy_for_clumps(const SchemeSettings& scheme, int dimensions) {
@@ -112,10 +119,7 @@ void Watch::look_at(const Particles& particles, const Body& body, const RunSetti
         found, "energy-debt", body.name,
         fmt::format("the internal energy of {} is below zero, by {:.2g} of its kinetic energy in its own frame: motion "
                     "has grown there that nothing drives, though the total is kept; {} may mend it",
-                    body.name, debt,
-                    settings.scheme.type == "godunov-split" ? "scheme.order = 1, which damps waves, or the limiter "
-                                                              "sweby with beta = 1, which steepens them the least,"
-                                                            : "another scheme"));
+                    body.name, debt, remedy_for_debt(settings.scheme)));
   if (const auto locks = locking(body.name, material)) tell(found, "locking", body.name, *locks);
 }
 

@@ -206,6 +206,27 @@ TEST_CASE("Advice: only spaces are named that know the strength of the bodies", 
   CHECK_THAT(said(2, strong), !Contains("cylindrical"));
 }
 
+TEST_CASE("Advice: Strang's splitting is named where a body has strength", "[advice]") {
+  using Catch::Matchers::Contains;
+  const auto said = [](const std::string& splitting, const std::string& strength) {
+    auto document =
+        Document::parse("name = 'test'\nspace = 'line'\nscheme = { type = 'godunov-split', splitting = '" + splitting +
+                            "' }\n[material.metal]\ndensity = 1.0\n"
+                            "eos = { model = 'linear', bulk_modulus = '79 GPa' }\n" +
+                            strength + "[body.bar]\nmaterial = 'metal'\n[time]\nend = '10 us'\n",
+                        "test scene");
+    const auto settings = read_run_settings(document);
+    const auto bar = test::particles_on(Space::line, {{"bar", "metal", 1.0, {0.0}, {20}, {0.0}}}, 1.0);
+    std::string lines;
+    for (const auto& line : advise(bar, settings, {}, document).lines) lines += line + "\n";
+    return lines;
+  };
+  const std::string strong = "strength = { model = 'elastic', shear_modulus = '27 GPa' }\n";
+  CHECK_THAT(said("strang", strong), Contains("scheme.splitting = 'strang'") && Contains("lie-trotter"));
+  CHECK_THAT(said("strang", ""), !Contains("splitting"));
+  CHECK_THAT(said("lie-trotter", strong), !Contains("splitting"));
+}
+
 TEST_CASE("Advice: what locks where it bends is told before the run, with both moduli", "[advice]") {
   using Catch::Matchers::Contains;
   const auto material = [](double shear) {
