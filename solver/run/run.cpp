@@ -311,6 +311,16 @@ bool share(Snapshot& snapshot, bool resumed) {
   return from_first_rank({resumed ? Word{1} : Word{0}}).front() != 0;
 }
 
+/// The run of a scene from its start. A scheme that refuses what the scene asks for names the key and not the file.
+std::unique_ptr<Simulation> simulation_of(Snapshot snapshot, RunSettings settings, bool resumed, Document& document) {
+  if (resumed) return std::make_unique<Simulation>(std::move(snapshot), std::move(settings), true);
+  try {
+    return std::make_unique<Simulation>(std::move(snapshot), std::move(settings), false);
+  } catch (const InputError& error) {
+    throw document.root().fault("", error.what(), "");
+  }
+}
+
 /// A rank beside the first one: it has no files, says nothing, and is ended by the first one alone.
 bool follow(const RunOptions& options) {
   std::signal(SIGINT, SIG_IGN);
@@ -355,7 +365,8 @@ bool run(const RunOptions& options) {
   const RunTimer timer;
   share(snapshot, origin.snapshot);
   try {
-    Simulation simulation(std::move(snapshot), std::move(settings), origin.snapshot);
+    const auto made = simulation_of(std::move(snapshot), std::move(settings), origin.snapshot, document);
+    auto& simulation = *made;
     check_probed_fields(document, simulation.settings(), simulation.particles());
     if (!options.end.empty()) check_end(simulation, options);
     Run run(options.folder, origin, timer, simulation, !options.end.empty());
@@ -375,7 +386,8 @@ void check(const CheckOptions& options) {
   const auto met = meetings(snapshot.particles, settings.materials);
   Advice advice;
   if (options.advice) advice = advise(snapshot.particles, settings, met, document);
-  Simulation simulation(std::move(snapshot), std::move(settings), false);
+  const auto made = simulation_of(std::move(snapshot), std::move(settings), false, document);
+  auto& simulation = *made;
   check_probed_fields(document, simulation.settings(), simulation.particles());
   std::optional<InputError> failure;
   try {
