@@ -22,10 +22,11 @@ KernelContact<D, Kernel>::KernelContact(Particles& particles, const std::map<std
                       Listed::all, settings.itself, "contact"}),
       touching_([this](std::uint32_t a, std::uint32_t b) {
         return settings_.at_faces
-                   ? energy_at_face<Kernel, D>(face_of(a), face_of(b), settings_.factor, settings_.exponent)
+                   ? energy_at_face<Kernel, D>(faces_[a], faces_[b], settings_.factor, settings_.exponent)
                    : 0.0;
       }) {
   for (const auto& body : particles.bodies()) materials_.push_back(&materials.at(body.material));
+  find_faces();
 }
 
 template <int D, class Kernel>
@@ -64,6 +65,12 @@ void KernelContact<D, Kernel>::prepare(double dt, bool ordered) {
   if (sorted_ != neighbourhood_.lists()) sort();
 }
 
+/// Of bodies in touch a force reads the sums of both, which reach as far again.
+template <int D, class Kernel>
+Halo KernelContact<D, Kernel>::halo(const std::map<std::string, double>& state) const {
+  return neighbourhood_.halo(state, settings_.at_faces || TouchingBodies::any_in(state) ? 2 : 1);
+}
+
 template <int D, class Kernel>
 void KernelContact<D, Kernel>::note_conversion() {
   if (!settings_.itself) return;
@@ -93,7 +100,8 @@ typename TimeStepLimit<D>::Least KernelContact<D, Kernel>::stable_step(double co
 
 template <int D, class Kernel>
 bool KernelContact<D, Kernel>::touching() const {
-  return std::any_of(energy_.begin(), energy_.end(), [](double energy) { return energy > 0.0; });
+  const bool any = std::any_of(energy_.begin(), energy_.end(), [](double energy) { return energy > 0.0; });
+  return over_ranks(particles_, any, [](bool& whole, bool part) { whole = whole || part; });
 }
 
 template <int D, class Kernel>
@@ -135,19 +143,24 @@ std::vector<std::uint32_t> KernelContact<D, Kernel>::bodies_of_records() const {
 }
 
 template <int D, class Kernel>
-Face KernelContact<D, Kernel>::face_of(std::uint32_t k) const {
-  const auto& body = particles_.bodies()[k];
-  const auto h = particles_.reals(Field::smoothing_length).subspan(body.range.begin, body.range.size());
-  return {bulk_modulus_of(*materials_[k]), std::ranges::max(h), body.spacing};
+void KernelContact<D, Kernel>::find_faces() {
+  std::vector<double> most;  // of h
+  const auto larger = [](double& whole, double part) { whole = std::max(whole, part); };
+  for (const auto& body : particles_.bodies()) {
+    most.push_back(0.0);
+    for (const double h : particles_.reals(Field::smoothing_length).subspan(body.range.begin, body.range.size()))
+      larger(most.back(), h);
+  }
+  each_over_ranks(particles_, most, larger);
+  for (std::size_t k = 0; k < most.size(); ++k)
+    faces_.push_back({bulk_modulus_of(*materials_[k]), most[k], particles_.bodies()[k].spacing});
 }
 
 template <int D, class Kernel>
 void KernelContact<D, Kernel>::find_touching() {
   const auto* x = particles_.template vectors<D>(Field::position);
   set_places([x](std::size_t i) { return x[i]; });
-  std::vector<Range> ranges;
-  for (const auto& body : particles_.bodies()) ranges.push_back(body.range);
-  touching_.find(neighbourhood_.pairs(), bodies_of_records(), ranges, particles_.scalars(Field::reference_volume),
+  touching_.find(particles_, neighbourhood_.pairs(), bodies_of_records(),
                  [this](const PairList& pairs, std::vector<ContactSum>& sums) {
                    for_each_pair(pairs, ContactSums<Kernel, D>{potential(), sums.data()});
                  });
@@ -156,7 +169,7 @@ void KernelContact<D, Kernel>::find_touching() {
 
 template <int D, class Kernel>
 void KernelContact<D, Kernel>::sort() {
-  touching_.sort(neighbourhood_.pairs(), bodies_of_records(), static_cast<std::uint32_t>(particles_.bodies().size()));
+  touching_.sort(particles_, neighbourhood_.pairs(), bodies_of_records());
   sorted_ = neighbourhood_.lists();
 }
 

@@ -32,6 +32,11 @@ class KernelContact {
 
   /// Makes the search good for a step dt; `ordered` where the particles have another order than at the last call.
   void prepare(double dt, bool ordered);
+  /// Of distributed particles: what its sweeps reach (Scheme::halos), whether a step of dt needs a search, and its
+  /// beginning, which restore() ends.
+  Halo halo(const std::map<std::string, double>& state) const;
+  bool search_is_due(double dt) { return neighbourhood_.due(dt); }
+  void begin_search(double dt) { neighbourhood_.begin(dt); }
   /// To be called when particles have turned Eulerian: pieces of one body then see each other in the sums.
   void note_conversion();
 
@@ -55,7 +60,7 @@ class KernelContact {
   void note_volumes();
   void fill();
   std::vector<std::uint32_t> bodies_of_records() const;
-  Face face_of(std::uint32_t body) const;
+  void find_faces();
   void find_touching();
   void sort();
   ContactPotential<Kernel, D> potential() const;
@@ -75,6 +80,7 @@ class KernelContact {
   ContactSettings settings_;
   Neighbourhood<D> neighbourhood_;
   std::vector<const Material*> materials_;  ///< of each body
+  std::vector<Face> faces_;                 ///< of each body
   std::vector<ContactRecord<D>> records_;
   std::vector<double> energy_;
   TouchingBodies touching_;

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/saved_number.hpp"
+#include "parallel/ranks.hpp"
 
 namespace tektite {
 namespace {
@@ -19,10 +20,22 @@ std::string name_of(std::uint32_t a, std::uint32_t b) {
   return pair_name + std::to_string(a) + "_" + std::to_string(b);
 }
 
+using BodyPairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
+
+/// What any rank has.
+BodyPairs joined(const BodyPairs& own) {
+  Words words;
+  for (const auto& [a, b] : own) words.insert(words.end(), {a, b});
+  BodyPairs all;
+  for (const auto& one : gather_on_all(words))
+    for (std::size_t k = 0; k < one.size(); k += 2)
+      all.insert({static_cast<std::uint32_t>(one[k]), static_cast<std::uint32_t>(one[k + 1])});
+  return all;
+}
+
 /// Of every two bodies with particles near to each other, both ways.
-std::set<std::pair<std::uint32_t, std::uint32_t>> near_in(const PairList& list,
-                                                          const std::vector<std::uint32_t>& body) {
-  std::set<std::pair<std::uint32_t, std::uint32_t>> near;
+BodyPairs near_in(const Particles& particles, const PairList& list, const std::vector<std::uint32_t>& body) {
+  BodyPairs near;
   std::pair<std::uint32_t, std::uint32_t> last{0, 0};  // of most pairs of particles the same as of those before
   for (const auto& block : list.blocks())
     for (std::size_t k = 0; k + 1 < block.first.size(); ++k)
@@ -32,37 +45,40 @@ std::set<std::pair<std::uint32_t, std::uint32_t>> near_in(const PairList& list,
         near.insert(bodies);
         last = bodies;
       }
-  return near;
+  return distributed(particles) ? joined(near) : near;
 }
 
 }  // namespace
 
-void TouchingBodies::find(const PairList& list, const std::vector<std::uint32_t>& body,
-                          const std::vector<Range>& ranges, const double* volume,
+void TouchingBodies::find(const Particles& particles, const PairList& list, const std::vector<std::uint32_t>& body,
                           const std::function<void(const PairList&, std::vector<ContactSum>&)>& sums_of) {
   at_start_.clear();
-  for (const auto& bodies : near_in(list, body)) at_start_[bodies] = infinite;
-  sort(list, body, static_cast<std::uint32_t>(ranges.size()));
+  for (const auto& bodies : near_in(particles, list, body)) at_start_[bodies] = infinite;
+  sort(particles, list, body);
+  const double* volume = particles.scalars(Field::reference_volume);
+  const Owned owned(particles);
+  const auto larger = [](double& whole, double part) { whole = std::max(whole, part); };
   std::map<Bodies, double> found;
   for (const auto& turn : turns_) {
-    std::vector<ContactSum> sums(ranges.back().end);
+    std::vector<ContactSum> sums(particles.count());
     sums_of(turn.pairs, sums);
-    for (std::uint32_t a = 0; a < ranges.size(); ++a) {
-      double most = 0.0;
-      for (auto i = ranges[a].begin; i < ranges[a].end; ++i) most = std::max(most, sums[i].energy / volume[i]);
-      if (most > 0.0) found[{a, turn.other[a]}] = most * (1.0 + of_rounding);
-    }
+    std::vector<double> most(particles.bodies().size(), 0.0);
+    for (std::size_t i = 0; i < sums.size(); ++i)
+      if (owned(i)) larger(most[body[i]], sums[i].energy / volume[i]);
+    each_over_ranks(particles, most, larger);
+    for (std::uint32_t a = 0; a < most.size(); ++a)
+      if (most[a] > 0.0) found[{a, turn.other[a]}] = most[a] * (1.0 + of_rounding);
   }
   at_start_ = std::move(found);
 }
 
-void TouchingBodies::sort(const PairList& list, const std::vector<std::uint32_t>& body, std::uint32_t bodies) {
+void TouchingBodies::sort(const Particles& particles, const PairList& list, const std::vector<std::uint32_t>& body) {
   turns_.clear();
-  std::set<Bodies> counted;
-  for (const auto& [a, b] : near_in(list, body))
+  BodyPairs counted;
+  for (const auto& [a, b] : near_in(particles, list, body))
     if (const double own = at_start(a, b), other = at_start(b, a); own > 0.0) {
       counted.insert({a, b});
-      if (a < b) give_turn({a, b}, own, other, bodies);
+      if (a < b) give_turn({a, b}, own, other, static_cast<std::uint32_t>(particles.bodies().size()));
     }
   apart_ = list;
   apart_.keep_pairs([&](auto i, auto j) { return !counted.contains({body[i], body[j]}); });
@@ -92,6 +108,11 @@ void TouchingBodies::give_turn(const Bodies& bodies, double own, double other, s
   turns_[t].other[b] = a;
   turns_[t].at_start[a] = own;
   turns_[t].at_start[b] = other;
+}
+
+bool TouchingBodies::any_in(const std::map<std::string, double>& state) {
+  const auto count = state.find(count_name);
+  return count == state.end() || count->second > 0.0;
 }
 
 void TouchingBodies::save(std::map<std::string, double>& state) const {

@@ -30,18 +30,20 @@ class TouchingBodies {
   explicit TouchingBodies(std::function<double(std::uint32_t, std::uint32_t)> at_faces)
       : at_faces_(std::move(at_faces)) {}
 
-  /// Finds them: `list` holds all pairs near to each other, `body` says whose each particle and image is, `ranges` has
-  /// each body's particles, `volume` is in m³, and sums_of(list, sums) sums the potential up over a list.
-  void find(const PairList& list, const std::vector<std::uint32_t>& body, const std::vector<Range>& ranges,
-            const double* volume, const std::function<void(const PairList&, std::vector<ContactSum>&)>& sums_of);
+  /// Finds them: `list` holds all pairs near to each other, `body` says whose each particle and image is, and
+  /// sums_of(list, sums) sums the potential up over a list.
+  void find(const Particles& particles, const PairList& list, const std::vector<std::uint32_t>& body,
+            const std::function<void(const PairList&, std::vector<ContactSum>&)>& sums_of);
 
   /// Shares the pairs of a new list out.
-  void sort(const PairList& list, const std::vector<std::uint32_t>& body, std::uint32_t bodies);
+  void sort(const Particles& particles, const PairList& list, const std::vector<std::uint32_t>& body);
 
   const std::vector<Turn>& turns() const { return turns_; }
   /// The pairs that push each other from where their kernels meet.
   const PairList& apart() const { return apart_; }
 
+  /// Whether there may be some: none only where save() has put that into `state`.
+  static bool any_in(const std::map<std::string, double>& state);
   void save(std::map<std::string, double>& state) const;
   void restore(const std::map<std::string, double>& state, std::uint32_t bodies);
   std::size_t memory() const;

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
 #include "parallel/partition.hpp"
 
@@ -88,11 +89,11 @@ Distribution::Distribution(Particles& particles) {
   note_count_of_all(from_first_rank({particles.count()}).front());
 }
 
-void Distribution::deal(Particles& particles, const Halo& halo) {
-  if (!dealt_ || worth_it(particles)) move(particles, halo);
+void Distribution::deal(Particles& particles, const Halos& halos) {
+  if (!dealt_ || worth_it(particles)) move(particles, halos.front().places);
   seconds_ = 0.0;
   steps_ = 0;
-  fetch_copies(particles, halo);
+  fetch_copies(particles, halos);
 }
 
 /// Whether the ranks have lost more, since their particles were dealt, than to deal them again takes: by waiting for
@@ -109,13 +110,13 @@ bool Distribution::worth_it(const Particles& particles) {
 }
 
 /// The rank that gets each of the own particles.
-std::vector<int> Distribution::new_owners(const Particles& particles, const Halo& halo,
+std::vector<int> Distribution::new_owners(const Particles& particles, Field places,
                                           const std::vector<std::uint32_t>& own) const {
   const auto dimensions = static_cast<std::size_t>(particles.dimensions());
   Words words;
   for (const auto i : own) {
     PartitionPoint point{{}, particles.integers(Field::id)[i], cost_};
-    for (std::size_t k = 0; k < dimensions; ++k) point.x[k] = particles.reals(halo.places)[i * dimensions + k];
+    for (std::size_t k = 0; k < dimensions; ++k) point.x[k] = particles.reals(places)[i * dimensions + k];
     for (const double x : point.x) words.push_back(std::bit_cast<Word>(x));
     words.push_back(std::bit_cast<Word>(point.id));
     words.push_back(std::bit_cast<Word>(point.cost));
@@ -137,10 +138,10 @@ std::vector<int> Distribution::new_owners(const Particles& particles, const Halo
 }
 
 /// Brings the particles to new owners.
-void Distribution::move(Particles& particles, const Halo& halo) {
+void Distribution::move(Particles& particles, Field places) {
   const auto start = Clock::now();
   const auto own = owned_in(particles);
-  const auto owners = new_owners(particles, halo, own);
+  const auto owners = new_owners(particles, places, own);
   for (std::size_t n = 0; n < own.size(); ++n) particles.integers(Field::owner)[own[n]] = owners[n];
   const PackedLayout layout(particles);
   auto to = for_each_rank();
@@ -150,52 +151,74 @@ void Distribution::move(Particles& particles, const Halo& halo) {
       if (owners[n] == r) members.push_back(own[n]);
     layout.pack(particles, members, to[slot(r)]);
   }
-  particles = layout.build(particles, joined(exchange(to)));
+  particles = layout.build(particles, joined(exchange_words(to)));
   const auto seconds = numbers_of_all(std::chrono::duration<double>(Clock::now() - start).count());
   moving_ = std::ranges::max(seconds);
   fresh_step_ = lost_ = 0.0;
   dealt_ = true;
 }
 
-/// The own particles, and copies of all others in the halo.
-void Distribution::fetch_copies(Particles& particles, const Halo& halo) {
-  const auto own = owned_in(particles);
+namespace {
+
+/// Who has been sent to each rank, a byte for each of the own particles.
+using Sent = std::vector<std::vector<std::uint8_t>>;
+
+Words keys_in(const HaloCells& cells, const Particles& particles, const Owned& counts) {
+  std::unordered_set<Word> keys;
+  for (std::size_t i = 0; i < particles.count(); ++i)
+    if (counts(i)) keys.insert(cells.of(i));
+  return {keys.begin(), keys.end()};
+}
+
+/// Adds copies of all that are in a halo and not there yet.
+void add_copies(Particles& particles, const Halo& halo, Sent& sent) {
   const HaloCells cells(particles, halo);
+  const auto keys_of = gather_on_all(keys_in(cells, particles, halo.of_copies ? Owned() : Owned(particles)));
+  const auto own = owned_in(particles);
   std::unordered_map<Word, std::vector<std::uint32_t>> members;  // numbers in `own`
   for (std::uint32_t n = 0; n < own.size(); ++n) members[cells.of(own[n])].push_back(n);
-  Words keys;
-  for (const auto& [key, inside] : members) keys.push_back(key);
-  const auto keys_of = gather_on_all(keys);
 
   const PackedLayout layout(particles);
   auto to = for_each_rank();
-  std::vector<std::vector<std::uint32_t>> sent(to.size());
   for (int r = 0; r < ranks(); ++r) {
     if (r == rank()) continue;
     const std::unordered_set<Word> theirs(keys_of[slot(r)].begin(), keys_of[slot(r)].end());
     std::vector<std::uint32_t> copied;
-    for (const auto& [key, inside] : members)
-      if (cells.touches(key, theirs))
-        for (const auto n : inside) {
-          sent[slot(r)].push_back(n);
-          copied.push_back(own[n]);
-        }
+    for (const auto& [key, inside] : members) {
+      if (!cells.touches(key, theirs)) continue;
+      for (const auto n : inside)
+        if (!std::exchange(sent[slot(r)][n], 1)) copied.push_back(own[n]);
+    }
     layout.pack(particles, copied, to[slot(r)]);
   }
+  std::vector<std::uint32_t> all(particles.count());
+  std::iota(all.begin(), all.end(), 0U);
   Words records;
-  layout.pack(particles, own, records);
-  const auto copies = joined(exchange(to));
+  layout.pack(particles, all, records);
+  const auto copies = joined(exchange_words(to));
   records.insert(records.end(), copies.begin(), copies.end());
+  particles = layout.build(particles, records);
+}
 
-  std::vector<std::uint32_t> place;
-  particles = layout.build(particles, records, &place);
+}  // namespace
+
+/// The own particles, and copies of all others in the halos.
+void Distribution::fetch_copies(Particles& particles, const Halos& halos) {
+  const auto old = owned_in(particles);
+  const PackedLayout layout(particles);
+  Words records;
+  layout.pack(particles, old, records);
+  particles = layout.build(particles, records);
+  Sent sent(slot(ranks()), std::vector<std::uint8_t>(old.size(), 0));
+  for (const auto& halo : halos) add_copies(particles, halo, sent);
+
   // Both sides have what goes from one to the other in the order of memory, which is the same for both.
-  to_.assign(to.size(), {});
-  from_.assign(to.size(), {});
-  for (std::size_t r = 0; r < to.size(); ++r) {
-    for (const auto n : sent[r]) to_[r].push_back(place[n]);
-    std::ranges::sort(to_[r]);
-  }
+  to_.assign(sent.size(), {});
+  from_.assign(sent.size(), {});
+  const auto own = owned_in(particles);
+  for (std::size_t r = 0; r < sent.size(); ++r)
+    for (std::size_t n = 0; n < own.size(); ++n)
+      if (sent[r][n] != 0) to_[r].push_back(own[n]);
   const auto owner = particles.integers(Field::owner);
   for (std::uint32_t i = 0; i < particles.count(); ++i)
     if (owner[i] != rank()) from_[slot(static_cast<int>(owner[i]))].push_back(i);
@@ -208,7 +231,7 @@ void Distribution::refresh(Particles& particles) {
     layout.pack(particles, to_[r], to[r]);
     from[r].resize(from_[r].size() * layout.width());
   }
-  exchange(to, from);
+  exchange_words(to, from);
   for (std::size_t r = 0; r < from.size(); ++r) layout.unpack(from[r], particles, from_[r]);
 }
 
@@ -216,7 +239,7 @@ Particles Distribution::gather(const Particles& particles) const {
   const PackedLayout layout(particles);
   auto to = for_each_rank();
   layout.pack(particles, owned_in(particles), to.front());
-  auto whole = layout.build(particles, joined(exchange(to)));
+  auto whole = layout.build(particles, joined(exchange_words(to)));
   whole.release(Field::owner);
   whole.release(Field::sequence);
   return whole;

@@ -18,9 +18,9 @@ class Distribution {
   /// Of particles that the first rank alone has; the others know their bodies and fields.
   explicit Distribution(Particles& particles);
 
-  /// Gives each rank its own particles and copies of those in its halo. The owners change where that is worth it, or at
-  /// the first time.
-  void deal(Particles& particles, const Halo& halo);
+  /// Gives each rank its own particles and copies of those in its halos. The owners change where that is worth it, or
+  /// at the first time.
+  void deal(Particles& particles, const Halos& halos);
   /// Takes the copies from their owners again.
   void refresh(Particles& particles);
   /// All particles on the first rank, as a single process has them; none elsewhere.
@@ -32,10 +32,9 @@ class Distribution {
  private:
   using Clock = std::chrono::steady_clock;
   bool worth_it(const Particles& particles);
-  std::vector<int> new_owners(const Particles& particles, const Halo& halo,
-                              const std::vector<std::uint32_t>& own) const;
-  void move(Particles& particles, const Halo& halo);
-  void fetch_copies(Particles& particles, const Halo& halo);
+  std::vector<int> new_owners(const Particles& particles, Field places, const std::vector<std::uint32_t>& own) const;
+  void move(Particles& particles, Field places);
+  void fetch_copies(Particles& particles, const Halos& halos);
 
   bool dealt_ = false;
   double seconds_ = 0.0;  ///< of the steps since the last call of deal()

@@ -73,7 +73,7 @@ void PackedLayout::unpack(const Words& words, Particles& particles, std::span<co
     });
 }
 
-Particles PackedLayout::build(const Particles& like, const Words& words, std::vector<std::uint32_t>* place) const {
+Particles PackedLayout::build(const Particles& like, const Words& words) const {
   std::vector<std::uint32_t> order(words.size() / width_);
   std::iota(order.begin(), order.end(), 0U);
   const auto sequence = offset_of(Field::sequence), id = offset_of(Field::id);
@@ -88,7 +88,6 @@ Particles PackedLayout::build(const Particles& like, const Words& words, std::ve
   for (std::uint32_t k = 0; k < order.size(); ++k) to[order[k]] = k;
   for (const auto& column : columns_) particles.allocate(column.field);
   unpack(words, particles, to);
-  if (place) *place = std::move(to);
   return particles;
 }
 

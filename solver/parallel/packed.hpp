@@ -19,9 +19,8 @@ class PackedLayout {
   void pack(const Particles& particles, std::span<const std::uint32_t> members, Words& words) const;
   /// Takes over the fields of as many particles.
   void unpack(const Words& words, Particles& particles, std::span<const std::uint32_t> members) const;
-  /// Particles of these records, by body, sequence and id: the order that a single process has them in. `place`, if
-  /// given, becomes where each record has come to.
-  Particles build(const Particles& like, const Words& words, std::vector<std::uint32_t>* place = nullptr) const;
+  /// Particles of these records, by body, sequence and id: the order that a single process has them in.
+  Particles build(const Particles& like, const Words& words) const;
 
   std::size_t offset_of(Field field) const { return offset_[static_cast<std::size_t>(field)]; }
 

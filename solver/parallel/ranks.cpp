@@ -92,17 +92,17 @@ void combine_over_ranks(void* values, std::size_t count, std::size_t size, const
   MPI_Type_free(&type);
 }
 
-std::vector<Words> exchange(const std::vector<Words>& to) {
+std::vector<Words> exchange_words(const std::vector<Words>& to) {
   std::vector<int> sent, coming(to.size());
   for (const auto& words : to) sent.push_back(count_of(words));
   MPI_Alltoall(sent.data(), 1, MPI_INT, coming.data(), 1, MPI_INT, MPI_COMM_WORLD);
   std::vector<Words> from(to.size());
   for (std::size_t r = 0; r < from.size(); ++r) from[r].resize(static_cast<std::size_t>(coming[r]));
-  exchange(to, from);
+  exchange_words(to, from);
   return from;
 }
 
-void exchange(const std::vector<Words>& to, std::vector<Words>& from) {
+void exchange_words(const std::vector<Words>& to, std::vector<Words>& from) {
   std::vector<MPI_Request> requests;
   for (std::size_t r = 0; r < from.size(); ++r)
     if (!from[r].empty())
@@ -155,8 +155,8 @@ void begin_ranks() {
 }
 void leave_ranks(int) {}
 void combine_over_ranks(void*, std::size_t, std::size_t, const Combine&) {}
-std::vector<Words> exchange(const std::vector<Words>& to) { return to; }
-void exchange(const std::vector<Words>& to, std::vector<Words>& from) { from = to; }
+std::vector<Words> exchange_words(const std::vector<Words>& to) { return to; }
+void exchange_words(const std::vector<Words>& to, std::vector<Words>& from) { from = to; }
 std::vector<Words> gather_on_all(const Words& own) { return {own}; }
 Words from_first_rank(const Words& own) { return own; }
 

@@ -74,9 +74,9 @@ void each_over_ranks(const Particles& particles, std::vector<Value>& values, con
 }
 
 /// Sends to[r] to each rank r, and gives what each has sent here.
-std::vector<Words> exchange(const std::vector<Words>& to);
+std::vector<Words> exchange_words(const std::vector<Words>& to);
 /// The same where it is known how much comes: from[r] is as long.
-void exchange(const std::vector<Words>& to, std::vector<Words>& from);
+void exchange_words(const std::vector<Words>& to, std::vector<Words>& from);
 /// What every rank has, on every rank.
 std::vector<Words> gather_on_all(const Words& own);
 /// What the first rank has, on every rank.

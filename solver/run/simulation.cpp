@@ -51,10 +51,9 @@ InputError not_on_several_ranks(const SchemeSettings& settings, Space space) {
       {{},
        "scheme",
        settings.type,
-       fmt::format("this scene, in the space {}{}, is not computed on several ranks", name_of(space),
-                   settings.contact ? " with [contact]" : ""),
-       "eulerian, total-lagrangian, godunov-pm or godunov-split (lie-trotter) without [contact], not about "
-       "an axis; or one process with --threads"});
+       fmt::format("this scene, in the space {}, is not computed on several ranks", name_of(space)),
+       "eulerian, total-lagrangian, godunov-pm or godunov-split (lie-trotter), not about an axis; or one process with "
+       "--threads"});
 }
 
 }  // namespace
@@ -114,10 +113,10 @@ void Simulation::note_start() {
 }
 
 void Simulation::deal(const std::map<std::string, double>& state) {
-  const auto halo = scheme_->halo(state);
-  if (!halo) throw not_on_several_ranks(settings_.scheme, particles().space());
+  const auto halos = scheme_->halos(state);
+  if (halos.empty()) throw not_on_several_ranks(settings_.scheme, particles().space());
   scheme_.reset();
-  distribution_->deal(snapshot_.particles, *halo);
+  distribution_->deal(snapshot_.particles, halos);
   build_scheme();
 }
 

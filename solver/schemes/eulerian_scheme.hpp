@@ -21,6 +21,7 @@
 #include "schemes/make_scheme_in.hpp"
 #include "schemes/material_passes.hpp"
 #include "schemes/scheme.hpp"
+#include "schemes/searches.hpp"
 #include "schemes/state_sums.hpp"
 
 namespace tektite {
@@ -85,12 +86,12 @@ class EulerianScheme final : public Scheme {
   }
 
   /// One sweep of pairs a step, and one more for the correction.
-  std::optional<Halo> halo(const std::map<std::string, double>& state) const override {
-    if (contact_ || rings) return std::nullopt;
-    return neighbourhood_.halo(state, settings_.corrected_eulerian ? 2 : 1);
+  Halos halos(const std::map<std::string, double>& state) const override {
+    if (rings) return {};
+    return halos_of(neighbourhood_, settings_.corrected_eulerian ? 2 : 1, contact_, state);
   }
-  bool search_is_due(double dt) override { return neighbourhood_.due(dt); }
-  void begin_search(double dt) override { neighbourhood_.begin(dt); }
+  bool search_is_due(double dt) override { return any_search_is_due(neighbourhood_, dt, contact_, dt); }
+  void begin_search(double dt) override { begin_searches(neighbourhood_, dt, contact_, dt); }
 
   TimeStep stable_step() const override {
     return smallest_step<D>(least_stable_step<D>(particles_, settings_.courant, coefficients_of(settings_.viscosity)),

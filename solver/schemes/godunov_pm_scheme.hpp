@@ -25,9 +25,8 @@ class GodunovPmScheme final : public GodunovScheme<space, Kernel, ContactStateRe
  public:
   using Base::Base;
 
-  std::optional<Halo> halo(const std::map<std::string, double>& state) const override {
-    if (this->contact_) return std::nullopt;
-    return neighbourhood_.halo(state, 1);
+  Halos halos(const std::map<std::string, double>& state) const override {
+    return halos_of(neighbourhood_, 1, this->contact_, state);
   }
 
   void step(double dt) override {

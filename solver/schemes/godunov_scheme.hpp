@@ -15,6 +15,7 @@
 #include "schemes/make_scheme_in.hpp"
 #include "schemes/material_passes.hpp"
 #include "schemes/scheme.hpp"
+#include "schemes/searches.hpp"
 #include "schemes/state_sums.hpp"
 
 namespace tektite {
@@ -70,8 +71,8 @@ class GodunovScheme : public Scheme {
     if (contact_) contact_->save(state);
   }
 
-  bool search_is_due(double) override { return neighbourhood_.due(0.0); }
-  void begin_search(double) override { neighbourhood_.begin(0.0); }
+  bool search_is_due(double dt) override { return any_search_is_due(neighbourhood_, 0.0, contact_, contact_step(dt)); }
+  void begin_search(double dt) override { begin_searches(neighbourhood_, 0.0, contact_, contact_step(dt)); }
 
   TimeStep stable_step() const override {
     const auto motion = [approach = particles_.scalars(Field::approach_speed)](std::size_t i) { return approach[i]; };
@@ -151,7 +152,7 @@ class GodunovScheme : public Scheme {
   void search(double dt) {
     const auto scope = profile_.time("search");
     const bool ordered = neighbourhood_.prepare(0.0);
-    if (contact_) contact_->prepare(2.0 * (1.0 - centring()) * dt, ordered);
+    if (contact_) contact_->prepare(contact_step(dt), ordered);
     resize_records();
   }
 
@@ -171,6 +172,9 @@ class GodunovScheme : public Scheme {
 
   /// The share c of a step's change of velocity in that by which the place moves.
   double centring() const { return settings_.corrected_eulerian ? 0.0 : 0.5; }
+
+  /// The step in whose middle the contact is looked for.
+  double contact_step(double dt) const { return 2.0 * (1.0 - centring()) * dt; }
 
   void hold(Vector<double, D>* acceleration) { hold_still(particles_, neighbourhood_.mirror(), acceleration); }
 

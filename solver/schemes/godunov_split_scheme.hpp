@@ -55,9 +55,10 @@ class GodunovSplitScheme final : public GodunovScheme<space, Kernel, Hydrodynami
     return few_neighbours(without_of_all(particles_, without_), count_of_all(particles_));
   }
 
-  std::optional<Halo> halo(const std::map<std::string, double>& state) const override {
-    if (contact_ || godunov_.strang) return std::nullopt;  // strang searches in the middle of a step
-    return neighbourhood_.halo(state, !settings_.corrected_eulerian ? 2 : godunov_.order == 2 ? 4 : 3);
+  Halos halos(const std::map<std::string, double>& state) const override {
+    if (godunov_.strang) return {};  // searches in the middle of a step
+    const int sweeps = !settings_.corrected_eulerian ? 2 : godunov_.order == 2 ? 4 : 3;
+    return halos_of(neighbourhood_, sweeps, this->contact_, state);
   }
 
   std::size_t memory() const override {

@@ -89,11 +89,11 @@ class Scheme {
   virtual void step(double dt) = 0;
 
   /// What a rank needs of the others' particles, so that a step gives its own what it would with all of them: the pairs
-  /// of every sweep, one behind the other. `state` is what save() put there, or nothing before start(). None where this
-  /// scene cannot be computed on several ranks.
-  virtual std::optional<Halo> halo(const std::map<std::string, double>& state) const {
+  /// of every sweep, one behind the other. `state` is what save() put there, or nothing before start(). Empty where
+  /// this scene cannot be computed on several ranks.
+  virtual Halos halos(const std::map<std::string, double>& state) const {
     static_cast<void>(state);
-    return std::nullopt;
+    return {};
   }
   /// Where particles are distributed, who takes a step of dt asks before it whether neighbours have to be searched
   /// anew. Then the search begins: with the places that it is for, and with the reach; save() has them, and restore()

@@ -101,11 +101,15 @@ class TotalLagrangianScheme final : public Scheme {
   }
 
   /// One sweep for F, and one for what follows from it.
-  std::optional<Halo> halo(const std::map<std::string, double>&) const override {
-    if (contact_ || eulerian_ || rings) return std::nullopt;
+  Halos halos(const std::map<std::string, double>& state) const override {
+    if (eulerian_ || rings) return {};
     const bool started = particles_.has(Field::reference_position);
-    return Halo{2.0 * support(), started ? Field::reference_position : Field::position};
+    Halos halos{{2.0 * support(), started ? Field::reference_position : Field::position}};
+    if (contact_) halos.push_back(contact_->halo(state));
+    return halos;
   }
+  bool search_is_due(double dt) override { return contact_ && contact_->search_is_due(dt); }
+  void begin_search(double dt) override { contact_->begin_search(dt); }
 
   TimeStep stable_step() const override {
     return smallest_step<D>(least_stable_step<D>(particles_, settings_.courant, coefficients_of(settings_.viscosity)),

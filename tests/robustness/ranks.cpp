@@ -96,6 +96,26 @@ velocity = [0, "-400 m/s"]
   check_ranks(small, small.unbroken(), 3);
 }
 
+TEST_CASE("Ranks: bodies in contact, apart, in touch and in pieces, have the bits of one process") {
+  const auto [scheme, settings] = GENERATE(table<std::string, std::vector<std::string>>(
+      {{"eulerian", {"contact.model='kernel-penalty'"}},
+       // Four bodies in touch and a wall, so that a particle has sums with two others.
+       {"eulerian",
+        {"contact.begins='at-faces'", "symmetry.middle={axis='y'}", "body.bar.shape.lower=['-16.5 mm', 0]",
+         "body.plate.shape={type='rectangle', lower=['0.5 mm', 0], upper=['4.5 mm', '7 mm']}",
+         "body.upper={material='aluminium', shape={type='rectangle', lower=['0.5 mm', '7 mm'], "
+         "upper=['4.5 mm', '15 mm']}}",
+         "body.rear={material='aluminium', shape={type='rectangle', lower=['4.5 mm', 0], "
+         "upper=['8.5 mm', '15 mm']}}"}},
+       {"godunov-pm", {"contact.model='kernel-penalty'"}},
+       {"godunov-split", {"contact.begins='at-faces'"}},
+       {"total-lagrangian", {"contact.itself=true"}}}));
+  INFO(scheme << " " << settings.front());
+  const SmallRun small(scheme, settings);
+  const auto whole = small.unbroken();
+  for (const int ranks : {2, 7}) check_ranks(small, whole, ranks);
+}
+
 /// The newest snapshots of two runs, but for the last digits.
 void check_close(const std::string& one, const std::string& other) {
   const auto a = tektite::read_snapshot(tektite::snapshot_files(one).back());
