@@ -1,7 +1,11 @@
 #include "preprocess/build_particles.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <numbers>
 #include <numeric>
+#include <optional>
 
 #include "preprocess/body.hpp"
 #include "preprocess/overlap.hpp"
@@ -74,6 +78,18 @@ void store_masses(const FilledBody& body, const Scene& scene, Range range, Parti
     masses[i] = densities[i] * cell * share_of(body, body.positions[i - range.begin], scene);
 }
 
+/// Nothing where the particles have the mass of the shape within a tenth: a plate of five cells and a half is just
+/// within it, and a rod with particles on its surface from twelve along the radius on.
+std::optional<std::string> misfit(const BodyReport& report) {
+  constexpr double notable = 0.1;
+  const double more = report.mass / report.exact_mass - 1.0;
+  if (!(std::abs(more) > notable)) return std::nullopt;
+  return fmt::format(
+      "the particles have {:.0f} % {} mass than the shape, which the spacing does not fit; a spacing that divides the "
+      "shape, a finer one, or arrangement.mass = 'exact', which leaves their places as they are, would",
+      100.0 * std::abs(more), more > 0.0 ? "more" : "less");
+}
+
 BodyReport describe(const FilledBody& body, const Scene& scene, Range range, const Particles& particles) {
   BodyReport report;
   report.name = body.plan.name;
@@ -90,6 +106,7 @@ BodyReport describe(const FilledBody& body, const Scene& scene, Range range, con
   report.mass_spread = body.plan.arrangement.mass == MassRule::exact;
   report.remarks = body.plan.shape->remarks();
   report.warnings = body.warnings;
+  if (auto warning = misfit(report)) report.warnings.push_back(std::move(*warning));
   return report;
 }
 

@@ -49,6 +49,22 @@ TEST_CASE("Particles: the mass is that of the cells, or the exact one on request
   CHECK_THAT(preprocess::in_words(exact), Catch::Contains("spread over the particles"));
 }
 
+TEST_CASE("Particles: a body that the spacing does not fit is warned of, where its mass is off by more than a tenth") {
+  const auto plate_of = [](const std::string& thickness, const std::string& mass = "cell") {
+    return result_of("plane-strain",
+                     "[body.a]\nmaterial = 'unit'\nshape = { type = 'rectangle', lower = [0, 0], upper = [" +
+                         thickness + ", 2] }\narrangement = { type = 'lattice', mass = '" + mass + "' }\n");
+  };
+  using Catch::Contains;
+  // Spacing 0.1: one column of particles for 0.14, two for 0.19, ten for 1.04.
+  const auto thin = plate_of("0.14"), thicker = plate_of("0.19");
+  REQUIRE(thin.bodies[0].warnings.size() == 1);
+  CHECK_THAT(thin.bodies[0].warnings.front(), Contains("29 % less mass") && Contains("a spacing that divides"));
+  CHECK(plate_of("0.14", "exact").bodies[0].warnings.empty());
+  CHECK(thicker.bodies[0].warnings.empty());
+  CHECK(plate_of("1.04").bodies[0].warnings.empty());
+}
+
 TEST_CASE("Symmetry: a lattice that does not fit a plane is warned of, with place, distance and what helps") {
   const auto warnings_of = [](const std::string& radius, const std::string& convention) {
     return result_of("plane-strain", "[body.a]\nmaterial = 'unit'\nshape = { type = 'disc', radius = " + radius +
@@ -57,7 +73,7 @@ TEST_CASE("Symmetry: a lattice that does not fit a plane is warned of, with plac
   };
   using Catch::Contains;
   const auto near = warnings_of("0.54", "cell-centred");
-  REQUIRE(near.bodies[0].warnings.size() == 1);
+  REQUIRE_FALSE(near.bodies[0].warnings.empty());
   CHECK_THAT(preprocess::in_words(near), Contains("body a ") && Contains("warning: ") &&
                                              Contains("plane y = 0 m lie 0.01 m from it, 0.1 spacings") &&
                                              Contains("too near to their own images") &&
