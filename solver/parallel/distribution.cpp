@@ -40,19 +40,24 @@ Words joined(const std::vector<Words>& all) {
 }
 
 /// Cells of a halo's width. Their coordinates wrap around, so that each fits into a word: cells that fall together by
-/// that only bring more copies.
+/// that only bring more copies. Space is folded along planes of symmetry, so that who is near to an image is near to
+/// its particle, also beyond the plane.
 class HaloCells {
  public:
-  HaloCells(const Particles& particles, const Halo& halo)
+  HaloCells(const Particles& particles, const Halo& halo, const std::vector<SymmetryPlane>& symmetry)
       : dimensions_(static_cast<std::size_t>(particles.dimensions())),
         // A little wider, so that no rounding parts particles that are nearer than the width by two cells.
         side_(halo.width * (1.0 + 1e-9)),
-        places_(particles.reals(halo.places)) {}
+        places_(particles.reals(halo.places)),
+        symmetry_(symmetry) {}
 
   Word of(std::size_t i) const {
     Word key = 0;
     for (std::size_t k = 0; k < dimensions_; ++k) {
-      const double cell = std::clamp(std::floor(places_[i * dimensions_ + k] / side_), -farthest, farthest);
+      double place = places_[i * dimensions_ + k];
+      for (const auto& plane : symmetry_)
+        if (static_cast<std::size_t>(plane.axis) == k) place = std::abs(place - plane.at);
+      const double cell = std::clamp(std::floor(place / side_), -farthest, farthest);
       key |= (static_cast<Word>(static_cast<std::int64_t>(cell)) & mask) << (bits * k);
     }
     return key;
@@ -77,11 +82,12 @@ class HaloCells {
   std::size_t dimensions_;
   double side_;
   std::span<const double> places_;
+  const std::vector<SymmetryPlane>& symmetry_;
 };
 
 }  // namespace
 
-Distribution::Distribution(Particles& particles) {
+Distribution::Distribution(Particles& particles, std::vector<SymmetryPlane> symmetry) : symmetry_(std::move(symmetry)) {
   particles.allocate(Field::sequence);
   particles.allocate(Field::owner);
   const auto sequence = particles.integers(Field::sequence);
@@ -171,8 +177,8 @@ Words keys_in(const HaloCells& cells, const Particles& particles, const Owned& c
 }
 
 /// Adds copies of all that are in a halo and not there yet.
-void add_copies(Particles& particles, const Halo& halo, Sent& sent) {
-  const HaloCells cells(particles, halo);
+void add_copies(Particles& particles, const Halo& halo, const std::vector<SymmetryPlane>& symmetry, Sent& sent) {
+  const HaloCells cells(particles, halo, symmetry);
   const auto keys_of = gather_on_all(keys_in(cells, particles, halo.of_copies ? Owned() : Owned(particles)));
   const auto own = owned_in(particles);
   std::unordered_map<Word, std::vector<std::uint32_t>> members;  // numbers in `own`
@@ -210,7 +216,7 @@ void Distribution::fetch_copies(Particles& particles, const Halos& halos) {
   layout.pack(particles, old, records);
   particles = layout.build(particles, records);
   Sent sent(slot(ranks()), std::vector<std::uint8_t>(old.size(), 0));
-  for (const auto& halo : halos) add_copies(particles, halo, sent);
+  for (const auto& halo : halos) add_copies(particles, halo, symmetry_, sent);
 
   // Both sides have what goes from one to the other in the order of memory, which is the same for both.
   to_.assign(sent.size(), {});
@@ -224,8 +230,11 @@ void Distribution::fetch_copies(Particles& particles, const Halos& halos) {
     if (owner[i] != rank()) from_[slot(static_cast<int>(owner[i]))].push_back(i);
 }
 
-void Distribution::refresh(Particles& particles) {
-  const PackedLayout layout(particles);
+void Distribution::refresh(Particles& particles) { refresh(particles, PackedLayout(particles)); }
+
+void Distribution::refresh(Particles& particles, Field field) { refresh(particles, PackedLayout(particles, field)); }
+
+void Distribution::refresh(Particles& particles, const PackedLayout& layout) {
   auto to = for_each_rank(), from = for_each_rank();
   for (std::size_t r = 0; r < to.size(); ++r) {
     layout.pack(particles, to_[r], to[r]);

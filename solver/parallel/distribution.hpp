@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/particles.hpp"
+#include "core/scene.hpp"
 #include "parallel/halo.hpp"
 #include "parallel/packed.hpp"
 
@@ -15,14 +16,17 @@ namespace tektite {
 
 class Distribution {
  public:
-  /// Of particles that the first rank alone has; the others know their bodies and fields.
-  explicit Distribution(Particles& particles);
+  /// Of particles that the first rank alone has; the others know their bodies and fields. Images behind planes of
+  /// `symmetry` are near, too.
+  Distribution(Particles& particles, std::vector<SymmetryPlane> symmetry);
 
   /// Gives each rank its own particles and copies of those in its halos. The owners change where that is worth it, or
   /// at the first time.
   void deal(Particles& particles, const Halos& halos);
   /// Takes the copies from their owners again.
   void refresh(Particles& particles);
+  /// One field of them.
+  void refresh(Particles& particles, Field field);
   /// All particles on the first rank, as a single process has them; none elsewhere.
   Particles gather(const Particles& particles) const;
 
@@ -35,7 +39,9 @@ class Distribution {
   std::vector<int> new_owners(const Particles& particles, Field places, const std::vector<std::uint32_t>& own) const;
   void move(Particles& particles, Field places);
   void fetch_copies(Particles& particles, const Halos& halos);
+  void refresh(Particles& particles, const PackedLayout& layout);
 
+  std::vector<SymmetryPlane> symmetry_;
   bool dealt_ = false;
   double seconds_ = 0.0;  ///< of the steps since the last call of deal()
   std::int64_t steps_ = 0;

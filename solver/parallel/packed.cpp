@@ -35,13 +35,15 @@ std::vector<Body> bodies_of_sizes(std::vector<Body> bodies, std::span<const std:
 }  // namespace
 
 PackedLayout::PackedLayout(const Particles& particles) {
-  for (const auto& row : field_table) {
-    if (row.keep == Keep::scratch || !particles.has(row.field)) continue;
-    const auto components = static_cast<std::size_t>(particles.components(row.field));
-    columns_.push_back({row.field, width_, components});
-    offset_[static_cast<std::size_t>(row.field)] = width_;
-    width_ += components;
-  }
+  for (const auto& row : field_table)
+    if (row.keep != Keep::scratch && particles.has(row.field)) add(particles, row.field);
+}
+
+void PackedLayout::add(const Particles& particles, Field field) {
+  const auto components = static_cast<std::size_t>(particles.components(field));
+  columns_.push_back({field, width_, components});
+  offset_[static_cast<std::size_t>(field)] = width_;
+  width_ += components;
 }
 
 void PackedLayout::pack(const Particles& particles, std::span<const std::uint32_t> members, Words& words) const {

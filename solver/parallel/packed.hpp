@@ -13,6 +13,8 @@ class PackedLayout {
  public:
   /// Of particles with these fields.
   explicit PackedLayout(const Particles& particles);
+  /// The same of one field alone.
+  PackedLayout(const Particles& particles, Field field) { add(particles, field); }
 
   std::size_t width() const { return width_; }  ///< words of a record
   /// Appends the records of some particles.
@@ -25,6 +27,8 @@ class PackedLayout {
   std::size_t offset_of(Field field) const { return offset_[static_cast<std::size_t>(field)]; }
 
  private:
+  void add(const Particles& particles, Field field);
+
   struct Column {
     Field field;
     std::size_t offset, components;

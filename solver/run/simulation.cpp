@@ -46,23 +46,13 @@ std::string text_of_all(const std::string& own) {
   return text;
 }
 
-InputError not_on_several_ranks(const SchemeSettings& settings, Space space) {
-  return InputError(
-      {{},
-       "scheme",
-       settings.type,
-       fmt::format("this scene, in the space {}, is not computed on several ranks", name_of(space)),
-       "eulerian, total-lagrangian, godunov-pm or godunov-split (lie-trotter), not about an axis; or one process with "
-       "--threads"});
-}
-
 }  // namespace
 
 Simulation::Simulation(Snapshot snapshot, RunSettings settings, bool resumed)
     : snapshot_(std::move(snapshot)), settings_(std::move(settings)) {
   auto& state = snapshot_.state;
   time_ = saved_number(state, "time");
-  if (ranks() > 1) distribution_.emplace(snapshot_.particles);
+  if (ranks() > 1) distribution_.emplace(snapshot_.particles, settings_.scene.symmetry);
   build_scheme();
   if (distribution_) deal(resumed ? state : std::map<std::string, double>());
   clamped_ = any_clamped(particles());
@@ -78,8 +68,9 @@ Simulation::Simulation(Snapshot snapshot, RunSettings settings, bool resumed)
 }
 
 void Simulation::build_scheme() {
-  scheme_ =
-      make_scheme({snapshot_.particles, profile_, settings_.materials, settings_.scheme, settings_.scene.symmetry});
+  SchemeSetup setup{snapshot_.particles, profile_, settings_.materials, settings_.scheme, settings_.scene.symmetry};
+  if (distribution_) setup.refresh = [this](Field field) { distribution_->refresh(snapshot_.particles, field); };
+  scheme_ = make_scheme(setup);
 }
 
 void Simulation::restore(const std::map<std::string, double>& state) {
@@ -114,7 +105,6 @@ void Simulation::note_start() {
 
 void Simulation::deal(const std::map<std::string, double>& state) {
   const auto halos = scheme_->halos(state);
-  if (halos.empty()) throw not_on_several_ranks(settings_.scheme, particles().space());
   scheme_.reset();
   distribution_->deal(snapshot_.particles, halos);
   build_scheme();
@@ -206,26 +196,35 @@ void Simulation::step() {
   time_ = last_.reason == StepLimit::end ? end() : time_ + last_.dt;
   ++steps_;
   look_for_contact();
+  if (distribution_ && scheme_->search_is_left()) search(0.0);
+}
+
+/// Of several ranks: begins a search for a step of dt, and goes on from it.
+void Simulation::search(double dt) {
+  const auto scope = profile_.time("dealing");
+  scheme_->begin_search(dt);
+  deal_again();
 }
 
 void Simulation::step_with_others() {
-  if (scheme_->search_is_due(last_.dt)) {
-    const auto scope = profile_.time("dealing");
-    scheme_->begin_search(last_.dt);
-    deal_again();
+  touched_ = false;
+  for (int part = 0; part < scheme_->parts(); ++part) {
+    const double ahead = part == 0 ? last_.dt : 0.0;
+    if (part > 0) touched_ = scheme_->in_contact();
+    if (scheme_->search_is_due(ahead)) search(ahead);
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    scheme_->step_part(part, last_.dt);
+    distribution_->note_step(std::chrono::duration<double>(Clock::now() - start).count());
+    const auto scope = profile_.time("exchange");
+    distribution_->refresh(snapshot_.particles);
   }
-  using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
-  scheme_->step(last_.dt);
-  distribution_->note_step(std::chrono::duration<double>(Clock::now() - start).count());
-  const auto scope = profile_.time("exchange");
-  distribution_->refresh(snapshot_.particles);
 }
 
 void Simulation::look_for_contact() {
   if (contact_time_ || snapshot_.particles.bodies().size() < 2) return;
   const auto scope = profile_.time("contact");
-  if (scheme_->in_contact()) {
+  if (touched_ || scheme_->in_contact()) {
     contact_time_ = time_;
   } else if (settings_.from_contact && time_ >= settings_.end) {
     throw RunError(

@@ -16,8 +16,7 @@ namespace tektite {
 class Simulation {
  public:
   /// From initial particles, or from a snapshot that a run left: `resumed` tells which. Of several ranks the first one
-  /// has the particles, and the others what share_snapshot() gave them. Throws InputError where the scene cannot be
-  /// computed on several.
+  /// has the particles, and the others what share_snapshot() gave them.
   Simulation(Snapshot snapshot, RunSettings settings, bool resumed);
 
   /// What every rank but the first does: its part of all that is asked of the first one's simulation, until that is
@@ -83,6 +82,7 @@ class Simulation {
   /// The same while it runs: it goes on as from a snapshot.
   void deal_again();
   void step_with_others();
+  void search(double dt);
   TimeStep choose_step() const;
   void look_for_contact();
   /// det F of a particle whose density follows from it.
@@ -108,6 +108,7 @@ class Simulation {
   TimeStep last_;
   double first_step_ = 0.0;
   std::optional<double> contact_time_;
+  bool touched_ = false;  ///< what the scheme told of contact before a search in the midst of the last step
   double initial_energy_ = 0.0;
   double largest_energy_ = 0.0;  ///< at play, of the lines so far
   double momentum_scale_ = 0.0;

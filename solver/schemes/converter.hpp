@@ -3,6 +3,8 @@
 // fields for both.
 
 #include <algorithm>
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "boundary/mirror.hpp"
@@ -18,7 +20,9 @@ namespace tektite {
 template <int D>
 class Converter {
  public:
-  explicit Converter(Conversion settings) : settings_(settings), limit_(settings.strain) {}
+  /// `refresh` as in SchemeSetup.
+  Converter(Conversion settings, std::function<void(Field)> refresh)
+      : settings_(settings), limit_(settings.strain), refresh_(std::move(refresh)) {}
 
   /// Converts who has reached the criterion, with its neighbours in the reference configuration, and the
   /// total-Lagrangian neighbours of an Eulerian particle whose F no longer describes it. So does a failed particle that
@@ -36,34 +40,41 @@ class Converter {
     for_each(marked_.size(), [&](std::size_t i) {
       marked_[i] = reference[i].lagrangian != 0.0 ? reached(i) : !describes(deformation[i], stress[i].jacobian);
     });
-    if (std::ranges::find(marked_, 1) == marked_.end()) return false;
-    const auto types = particles.integers(Field::kernel_type);
-    bool any = false, more = true;
-    const auto turn = [&](std::size_t i) {
-      constexpr auto eulerian = static_cast<std::int64_t>(KernelType::eulerian);
-      if (types[i] == eulerian) return;
-      types[i] = eulerian;
-      any = true;
-      if (reference[i].volume != 0.0) return;
-      next_[i] = 1;
-      more = true;
-    };
-    while (more) {
-      more = false;
-      next_.assign(marked_.size(), 0);
-      for (const auto& block : pairs.blocks())
-        for (std::size_t k = 0; k + 1 < block.first.size(); ++k) {
-          if (!marked_[block.begin + k]) continue;
-          turn(block.begin + k);
-          for (auto n = block.first[k]; n < block.first[k + 1]; ++n)
-            turn(mirror.source_of(block.neighbours[n], particles.count()));
-        }
-      marked_.swap(next_);
+    bool any = false;
+    for (bool more = any_marked(particles); more; more = any_marked(particles)) {
+      any = turn_marked(particles, pairs, mirror) || any;
+      for_each(marked_.size(), [&](std::size_t i) { marked_[i] = turned_[i] && reference[i].volume == 0.0; });
     }
     return any;
   }
 
  private:
+  /// Of all ranks.
+  bool any_marked(const Particles& particles) const { return any_in(particles, marked_); }
+  static bool any_in(const Particles& particles, const std::vector<std::uint8_t>& marks) {
+    const bool any = std::ranges::find(marks, 1) != marks.end();
+    return over_ranks(particles, any, [](bool& whole, bool part) { whole = whole || part; });
+  }
+
+  /// Turns those that are marked, with their neighbours, and notes whom. A rank knows of its own particles and their
+  /// neighbours who is marked; who of the copies further away has turned it takes from their owners.
+  bool turn_marked(Particles& particles, const PairList& pairs, const Mirror<D>& mirror) {
+    constexpr auto eulerian = static_cast<std::int64_t>(KernelType::eulerian);
+    const auto types = particles.integers(Field::kernel_type);
+    before_.assign(types.begin(), types.end());
+    for (const auto& block : pairs.blocks())
+      for (std::size_t k = 0; k + 1 < block.first.size(); ++k) {
+        if (!marked_[block.begin + k]) continue;
+        types[block.begin + k] = eulerian;
+        for (auto n = block.first[k]; n < block.first[k + 1]; ++n)
+          types[mirror.source_of(block.neighbours[n], particles.count())] = eulerian;
+      }
+    refresh_(Field::kernel_type);
+    turned_.resize(types.size());
+    for_each(turned_.size(), [&](std::size_t i) { turned_[i] = types[i] != before_[i]; });
+    return any_in(particles, turned_);
+  }
+
   /// Whether the volume by F and that by the density are the same within a factor of two. Where Eulerian particles flow
   /// past each other, the F that the reference configuration gives them loses its meaning, and with it what they do to
   /// total-Lagrangian neighbours (Young et al. 2021, section 3.3, convert "a large number of neighbours" for this).
@@ -74,7 +85,9 @@ class Converter {
 
   Conversion settings_;
   StrainLimit limit_;
-  std::vector<std::uint8_t> marked_, next_;
+  std::function<void(Field)> refresh_;
+  std::vector<std::uint8_t> marked_, turned_;
+  std::vector<std::int64_t> before_;  ///< kernel types
 };
 
 }  // namespace tektite

@@ -58,6 +58,8 @@ class CorrectedSums {
       sum<false>(p, pairs, strain_rates);
   }
 
+  /// Sweeps over pairs, one behind the other.
+  int sweeps() const { return corrected_ ? 2 : 1; }
   /// Own particles that go without correction, at the last call.
   std::size_t without() const { return without_; }
   std::size_t memory() const { return records_.capacity() * sizeof(CorrectedRecord<D>); }

@@ -6,6 +6,7 @@
 
 #include "neighbours/neighbourhood.hpp"
 #include "neighbours/reference_pairs.hpp"
+#include "parallel/reduce.hpp"
 #include "passes/assemble_records.hpp"
 #include "passes/lagrangian_records.hpp"
 #include "schemes/corrected_sums.hpp"
@@ -41,8 +42,17 @@ class EulerianPart {
   void prepare(double dt) {
     if (any()) neighbourhood_.prepare(dt);
   }
+  /// Of distributed particles: what the sums reach, if any are made; whether a step of dt needs a search, and its
+  /// beginning, which restore() ends.
+  Halos halos(const std::map<std::string, double>& state) const {
+    const auto halo = neighbourhood_.halo(state, sums_.sweeps());
+    return halo.width > 0.0 ? Halos{halo} : Halos{};
+  }
+  bool search_is_due(double dt) { return any() && neighbourhood_.due(dt); }
+  void begin_search(double dt) { neighbourhood_.begin(dt); }
 
   bool any() const { return count_ > 0; }
+  /// Of all ranks.
   std::size_t count() const { return count_; }
   /// Eulerian particles that go without correction.
   std::size_t without_correction() const { return sums_.without(); }
@@ -83,7 +93,10 @@ class EulerianPart {
  private:
   void note() {
     eulerian_ = eulerian_of_each(particles_);
-    count_ = static_cast<std::size_t>(std::ranges::count(eulerian_, 1));
+    const Owned owned(particles_);
+    const auto tell = [&](std::size_t& number, std::size_t i) { number += eulerian_[i] != 0 && owned(i); };
+    const auto add = [](std::size_t& whole, std::size_t part) { whole += part; };
+    count_ = over_ranks(particles_, reduce(particles_.count(), std::size_t{0}, tell, add), add);
   }
 
   Particles& particles_;

@@ -87,7 +87,6 @@ class EulerianScheme final : public Scheme {
 
   /// One sweep of pairs a step, and one more for the correction.
   Halos halos(const std::map<std::string, double>& state) const override {
-    if (rings) return {};
     return halos_of(neighbourhood_, settings_.corrected_eulerian ? 2 : 1, contact_, state);
   }
   bool search_is_due(double dt) override { return any_search_is_due(neighbourhood_, dt, contact_, dt); }

@@ -39,15 +39,19 @@ class GodunovSplitScheme final : public GodunovScheme<space, Kernel, Hydrodynami
   }
 
   void step(double dt) override {
-    const double part = godunov_.strang ? 0.5 * dt : dt;
+    for (int part = 0; part < parts(); ++part) step_part(part, dt);
+  }
+  int parts() const override { return godunov_.strang ? 2 : 1; }
+  void step_part(int part, double dt) override {
+    const double of_deviator = godunov_.strang ? 0.5 * dt : dt;
+    if (part > 0) return finish_symmetrically(of_deviator);
     this->search(dt);
     find_correction();
-    kick_by_deviator(part, true);
+    kick_by_deviator(of_deviator, true);
     if (settings_.corrected_eulerian && godunov_.order == 2) find_gradient_after_kick();
     solve_contacts(dt);
     this->find_contact(dt);
-    advance(dt, part);
-    if (godunov_.strang) finish_symmetrically(part);
+    advance(dt, of_deviator);
   }
 
   std::string remark() const override { return remark_on_correction(without_of_all(particles_, without_)); }
@@ -56,7 +60,6 @@ class GodunovSplitScheme final : public GodunovScheme<space, Kernel, Hydrodynami
   }
 
   Halos halos(const std::map<std::string, double>& state) const override {
-    if (godunov_.strang) return {};  // searches in the middle of a step
     const int sweeps = !settings_.corrected_eulerian ? 2 : godunov_.order == 2 ? 4 : 3;
     return halos_of(neighbourhood_, sweeps, this->contact_, state);
   }

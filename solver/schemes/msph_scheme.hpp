@@ -76,6 +76,11 @@ class MsphScheme final : public Scheme {
     advance(dt);
   }
 
+  /// Moments, forces, smoothing of the velocity, its gradients, smoothing of the density.
+  Halos halos(const std::map<std::string, double>& state) const override { return {neighbourhood_.halo(state, 5)}; }
+  bool search_is_due(double dt) override { return neighbourhood_.due(dt); }
+  void begin_search(double dt) override { neighbourhood_.begin(dt); }
+
   TimeStep stable_step() const override {
     const auto* v = particles_.template vectors<D>(Field::velocity);
     const auto least =
@@ -172,23 +177,28 @@ class MsphScheme final : public Scheme {
                   MsphMoments<Weights, Kernel, D, hoops>{gather(), coefficients_.data(), kernel_mass_.data(),
                                                          lopsidedness_.data()});
     neighbourhood_.mirror().repeat(kernel_mass_);
-    using Counts = std::pair<double, double>;
-    const auto lower = reduce(
-        p.count(), Counts{0.0, 0.0},
-        [&](Counts& counts, std::size_t i) {
-          counts.first += coefficients_[i].order == 1 ? 1.0 : 0.0;
-          counts.second += coefficients_[i].order == 0 ? 1.0 : 0.0;
-        },
-        [](Counts& whole, const Counts& part) {
-          whole.first += part.first;
-          whole.second += part.second;
-        });
-    answered_ += static_cast<double>(p.count());
-    lower_order_.first += lower.first;
-    lower_order_.second += lower.second;
+    count_orders();
     run_all(MsphSurface<D>{lopsidedness_.data(), p.template vectors<D>(Field::velocity), anvil_,
                            !settings_.adjoint_forces, records_.data(), held_.data()});
     neighbourhood_.mirror().fill(records_, p.count());
+  }
+
+  void count_orders() {
+    using Counts = std::pair<double, double>;
+    const auto add = [](Counts& whole, const Counts& part) {
+      whole.first += part.first;
+      whole.second += part.second;
+    };
+    const auto lower = reduce(
+        particles_.count(), Counts{0.0, 0.0},
+        [this, owned = Owned(particles_)](Counts& counts, std::size_t i) {
+          if (!owned(i)) return;
+          counts.first += coefficients_[i].order == 1 ? 1.0 : 0.0;
+          counts.second += coefficients_[i].order == 0 ? 1.0 : 0.0;
+        },
+        add);
+    answered_ += static_cast<double>(count_of_all(particles_));
+    add(lower_order_, over_ranks(particles_, lower, add));
   }
 
   void kick(double dt) {

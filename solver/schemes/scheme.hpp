@@ -2,6 +2,7 @@
 // What the run needs of a scheme: bring the particles from t to t + dt, and say how large dt may be.
 
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
@@ -49,6 +50,8 @@ struct SchemeSetup {
   const std::map<std::string, Material>& materials;
   SchemeSettings settings;
   std::vector<SymmetryPlane> symmetry;
+  /// Takes the values that copies have of a field from their owners, where the particles are distributed.
+  std::function<void(Field)> refresh = [](Field) {};
 };
 
 struct TimeStep {
@@ -89,17 +92,19 @@ class Scheme {
   virtual void step(double dt) = 0;
 
   /// What a rank needs of the others' particles, so that a step gives its own what it would with all of them: the pairs
-  /// of every sweep, one behind the other. `state` is what save() put there, or nothing before start(). Empty where
-  /// this scene cannot be computed on several ranks.
-  virtual Halos halos(const std::map<std::string, double>& state) const {
-    static_cast<void>(state);
-    return {};
-  }
+  /// of every sweep, one behind the other. `state` is what save() put there, or nothing before start().
+  virtual Halos halos(const std::map<std::string, double>& state) const = 0;
   /// Where particles are distributed, who takes a step of dt asks before it whether neighbours have to be searched
   /// anew. Then the search begins: with the places that it is for, and with the reach; save() has them, and restore()
   /// ends it by the list.
-  virtual bool search_is_due(double) { return false; }
-  virtual void begin_search(double) {}
+  virtual bool search_is_due(double dt) = 0;
+  virtual void begin_search(double dt) = 0;
+  /// There a step goes in parts, between which copies come from their owners, and another search may begin, for a step
+  /// of 0.
+  virtual int parts() const { return 1; }
+  virtual void step_part(int, double dt) { step(dt); }
+  /// Whether the last step has changed who is near whom in the sums, so that its end takes a search, of a step of 0.
+  virtual bool search_is_left() const { return false; }
 
   /// The largest stable time step; zero where the state is not sane, with the particle.
   virtual TimeStep stable_step() const = 0;

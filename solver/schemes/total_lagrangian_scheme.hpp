@@ -48,7 +48,7 @@ class TotalLagrangianScheme final : public Scheme {
         mirror_(setup.symmetry),
         anvil_(setup.settings.anvil),
         walls_(walls_of(setup.symmetry, setup.settings.anvil)),
-        converter_(setup.settings.conversion),
+        converter_(setup.settings.conversion, setup.refresh),
         interface_(setup.settings) {
     if (settings_.contact) contact_.emplace(particles_, setup.materials, support(), setup.symmetry, *settings_.contact);
     if (settings_.type == "adaptle") eulerian_.emplace(particles_, support(), setup.symmetry, settings_);
@@ -100,16 +100,25 @@ class TotalLagrangianScheme final : public Scheme {
     if (converts()) convert();
   }
 
-  /// One sweep for F, and one for what follows from it.
+  /// One sweep for F, and one for what follows from it; those of Eulerian particles read what follows from F, too.
   Halos halos(const std::map<std::string, double>& state) const override {
-    if (eulerian_ || rings) return {};
-    const bool started = particles_.has(Field::reference_position);
-    Halos halos{{2.0 * support(), started ? Field::reference_position : Field::position}};
+    const auto places = particles_.has(Field::reference_position) ? Field::reference_position : Field::position;
+    Halos halos;
+    if (eulerian_) halos = eulerian_->halos(state);
+    if (!halos.empty()) halos.push_back({support(), places, true});
+    halos.push_back({2.0 * support(), places});
     if (contact_) halos.push_back(contact_->halo(state));
     return halos;
   }
-  bool search_is_due(double dt) override { return contact_ && contact_->search_is_due(dt); }
-  void begin_search(double dt) override { contact_->begin_search(dt); }
+  bool search_is_due(double dt) override {
+    return (contact_ && contact_->search_is_due(dt)) || (eulerian_ && eulerian_->search_is_due(dt));
+  }
+  void begin_search(double dt) override {
+    if (search_is_left_) return eulerian_->begin_search(dt);
+    if (contact_ && contact_->search_is_due(dt)) contact_->begin_search(dt);
+    if (eulerian_ && eulerian_->search_is_due(dt)) eulerian_->begin_search(dt);
+  }
+  bool search_is_left() const override { return search_is_left_; }
 
   TimeStep stable_step() const override {
     return smallest_step<D>(least_stable_step<D>(particles_, settings_.courant, coefficients_of(settings_.viscosity)),
@@ -234,6 +243,8 @@ class TotalLagrangianScheme final : public Scheme {
   void convert() {
     const auto scope = profile_.time("conversion");
     if (!converter_.convert(particles_, neighbours_.pairs(), mirror_, reference_, deformation_, stress_)) return;
+    search_is_left_ = distributed(particles_);
+    if (search_is_left_) return;  // it builds all of this anew
     note_kernel_types();
     neighbours_.fill(reference_);
     if (contact_) contact_->note_conversion();
@@ -410,6 +421,7 @@ class TotalLagrangianScheme final : public Scheme {
   std::vector<Tensor<double, D>> deformation_;       ///< F of the last step, for the conversion of adaptle
   std::optional<EulerianPart<Kernel, D>> eulerian_;  ///< of the scheme adaptle
   Converter<D> converter_;
+  bool search_is_left_ = false;        ///< of distributed particles, some of which have just turned Eulerian
   InterfaceForces<Kernel> interface_;  ///< of the scheme adaptle, in the plane
   std::optional<HourglassControl<Kernel, D>> hourglass_;
 };
