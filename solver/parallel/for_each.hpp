@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "core/particles.hpp"
+#include "parallel/unfused.hpp"
 #include "passes/side_by_side.hpp"
 
 namespace tektite {
 
 /// body(i) for every i of the range, on one thread. Flattened: a body is one loop, whatever it calls.
 template <class Body>
-[[gnu::flatten]] void run_through(const Range& range, const Body& body) {
+TEKTITE_UNFUSED [[gnu::flatten]] void run_through(const Range& range, const Body& body) {
   for (std::size_t i = range.begin; i < range.end; ++i) body(i);
 }
 
@@ -26,7 +27,7 @@ template <class Body>
 
 /// body(i) for every 0 ≤ i < count, each on some thread.
 template <class Body>
-void for_each(std::size_t count, const Body& body) {
+TEKTITE_UNFUSED void for_each(std::size_t count, const Body& body) {
 #pragma omp parallel for schedule(static)
   for (std::size_t i = 0; i < count; ++i) body(i);
 }

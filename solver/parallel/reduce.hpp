@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "parallel/ranks.hpp"
+#include "parallel/unfused.hpp"
 
 namespace tektite {
 
 /// Folds `body(value, i)` over 0 ≤ i < count. `Value` starts as `start` in every part and is joined by
 /// `join(whole, part)`.
 template <class Value, class Body, class Join>
-Value reduce(std::size_t count, const Value& start, const Body& body, const Join& join) {
+TEKTITE_UNFUSED Value reduce(std::size_t count, const Value& start, const Body& body, const Join& join) {
   constexpr std::size_t part_size = 4096;
   const std::size_t parts = (count + part_size - 1) / part_size;
   struct Part {  // not the bare value: a std::vector<bool> packs those of several threads into one word
