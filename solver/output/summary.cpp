@@ -10,13 +10,27 @@
 #include "core/version.hpp"
 #include "core/write_beside.hpp"
 #include "output/progress.hpp"
+#include "parallel/ranks.hpp"
 #include "parallel/threads.hpp"
+#include "parallel/traffic.hpp"
 
 namespace tektite {
 namespace {
 
 /// Of the energy, and of what turns: the published runs of these schemes stay below it (README.md of the examples).
 constexpr double notable_drift = 0.01;
+
+/// What the first rank had to do with the others.
+void log_traffic(const RunSummary& s, spdlog::logger& log) {
+  if (ranks() == 1) return;
+  const auto& sent = traffic();
+  const auto a_step = [&](std::size_t number) {
+    return static_cast<double>(number) / static_cast<double>(std::max<std::int64_t>(s.steps_taken, 1));
+  };
+  log.info(
+      "  {:.2f} s, {:.1f} % of the run, with messages to other ranks and waiting: {:.0f} a step, of {:.1f} kB in all",
+      sent.seconds, 100.0 * sent.seconds / s.wall_seconds, a_step(sent.messages), 1e-3 * a_step(sent.bytes));
+}
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
@@ -43,6 +57,7 @@ RunSummary summarise(const Simulation& simulation, const RunTimer& timer, bool i
   summary.scheme = simulation.settings().scheme.type;
   summary.particles = simulation.count();
   summary.steps = simulation.steps();
+  summary.steps_taken = simulation.steps_taken();
   summary.time = simulation.time();
   summary.contact_time = simulation.contact_time();
   summary.threads = threads_in_use();
@@ -98,6 +113,7 @@ void log_summary(const RunSummary& s, const Profile& profile, spdlog::logger& lo
   for (const auto& [name, seconds] : profile.seconds()) all += seconds;
   for (const auto& [name, seconds] : profile.seconds())
     log.info("  {:<12} {:7.2f} s  {:4.1f} %", name, seconds, 100.0 * seconds / all);
+  log_traffic(s, log);
   if (std::abs(s.energy_drift) > notable_drift)
     log.warn(
         "warning: energy-drift: the scheme has made up or lost {:.1f} % of the energy, and what hangs on it is as "

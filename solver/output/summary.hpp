@@ -28,6 +28,7 @@ struct RunSummary {
   std::string scheme;
   std::size_t particles = 0;
   std::int64_t steps = 0;
+  std::int64_t steps_taken = 0;  ///< by this process
   double time = 0.0;
   std::optional<double> contact_time;
   int threads = 0;

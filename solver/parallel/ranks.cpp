@@ -1,10 +1,12 @@
 #include "parallel/ranks.hpp"
 
+#include <chrono>
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
 
 #include "core/error.hpp"
+#include "parallel/traffic.hpp"
 
 #ifdef TEKTITE_MPI
 #include <mpi.h>
@@ -16,6 +18,7 @@ namespace {
 int this_rank = 0, all_ranks = 1;
 bool dismissed = false;
 std::size_t particles_of_all = 0;
+Traffic so_far;
 
 /// What launchers tell each process: how many there are, or its number alone.
 bool started_by_launcher() {
@@ -34,6 +37,7 @@ int processes_started() {
 
 }  // namespace
 
+const Traffic& traffic() { return so_far; }
 int rank() { return this_rank; }
 int ranks() { return all_ranks; }
 void dismiss_ranks() { dismissed = true; }
@@ -45,6 +49,26 @@ void note_count_of_all(std::size_t count) { particles_of_all = count; }
 #ifdef TEKTITE_MPI
 
 namespace {
+
+/// Counts the time until it is destroyed, with messages that are sent meanwhile.
+class Talk {
+ public:
+  Talk(std::size_t messages, std::size_t bytes_each) : start_(Clock::now()) { count(messages, bytes_each); }
+  ~Talk() { so_far.seconds += std::chrono::duration<double>(Clock::now() - start_).count(); }
+  Talk(const Talk&) = delete;
+  Talk& operator=(const Talk&) = delete;
+
+  static void count(std::size_t messages, std::size_t bytes_each) {
+    so_far.messages += messages;
+    so_far.bytes += messages * bytes_each;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_;
+};
+
+std::size_t others() { return static_cast<std::size_t>(all_ranks - 1); }
 
 const Combine* combining = nullptr;  ///< of the reduction that is under way
 
@@ -81,6 +105,7 @@ void leave_ranks(int code) {
 
 void combine_over_ranks(void* values, std::size_t count, std::size_t size, const Combine& combine) {
   if (all_ranks == 1) return;
+  const Talk talk(1, count * size);
   MPI_Datatype type{};
   MPI_Type_contiguous(static_cast<int>(size), MPI_BYTE, &type);
   MPI_Type_commit(&type);
@@ -95,7 +120,10 @@ void combine_over_ranks(void* values, std::size_t count, std::size_t size, const
 std::vector<Words> exchange_words(const std::vector<Words>& to) {
   std::vector<int> sent, coming(to.size());
   for (const auto& words : to) sent.push_back(count_of(words));
-  MPI_Alltoall(sent.data(), 1, MPI_INT, coming.data(), 1, MPI_INT, MPI_COMM_WORLD);
+  {
+    const Talk talk(others(), sizeof(int));
+    MPI_Alltoall(sent.data(), 1, MPI_INT, coming.data(), 1, MPI_INT, MPI_COMM_WORLD);
+  }
   std::vector<Words> from(to.size());
   for (std::size_t r = 0; r < from.size(); ++r) from[r].resize(static_cast<std::size_t>(coming[r]));
   exchange_words(to, from);
@@ -103,21 +131,25 @@ std::vector<Words> exchange_words(const std::vector<Words>& to) {
 }
 
 void exchange_words(const std::vector<Words>& to, std::vector<Words>& from) {
+  const Talk talk(0, 0);
   std::vector<MPI_Request> requests;
   for (std::size_t r = 0; r < from.size(); ++r)
     if (!from[r].empty())
       MPI_Irecv(from[r].data(), count_of(from[r]), MPI_UINT64_T, static_cast<int>(r), 0, MPI_COMM_WORLD,
                 &requests.emplace_back());
   for (std::size_t r = 0; r < to.size(); ++r)
-    if (!to[r].empty())
+    if (!to[r].empty()) {
+      Talk::count(1, to[r].size() * sizeof(Word));
       MPI_Isend(to[r].data(), count_of(to[r]), MPI_UINT64_T, static_cast<int>(r), 0, MPI_COMM_WORLD,
                 &requests.emplace_back());
+    }
   MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
 }
 
 std::vector<Words> gather_on_all(const Words& own) {
   std::vector<int> counts(static_cast<std::size_t>(all_ranks)), offsets;
   const int count = count_of(own);
+  const Talk talk(others(), own.size() * sizeof(Word));
   MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, MPI_COMM_WORLD);
   std::size_t sum = 0;
   for (const int one : counts) {
@@ -137,6 +169,7 @@ std::vector<Words> gather_on_all(const Words& own) {
 Words from_first_rank(const Words& own) {
   Words words = own;
   auto count = static_cast<Word>(own.size());
+  const Talk talk(this_rank == 0 ? others() : 0, own.size() * sizeof(Word));
   MPI_Bcast(&count, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD);
   words.resize(count);
   MPI_Bcast(words.data(), count_of(words), MPI_UINT64_T, 0, MPI_COMM_WORLD);

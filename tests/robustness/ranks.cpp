@@ -34,7 +34,8 @@ void check_ranks(const SmallRun& small, const Left& whole, int ranks) {
   CHECK((left.history == whole.history));
   CHECK((left.last_snapshot == whole.last_snapshot));
   CHECK(left.measurements == whole.measurements);
-  CHECK_THAT(content_of(small.folder(run + "/run.log")), Contains(std::to_string(ranks) + " ranks of 1 threads"));
+  const auto log = content_of(small.folder(run + "/run.log"));
+  CHECK_THAT(log, Contains(std::to_string(ranks) + " ranks of 1 threads") && Contains("messages to other ranks"));
 }
 
 /// The processes that this one has started.
