@@ -139,7 +139,7 @@ void exchange_words(const std::vector<Words>& to, std::vector<Words>& from) {
                 &requests.emplace_back());
   for (std::size_t r = 0; r < to.size(); ++r)
     if (!to[r].empty()) {
-      Talk::count(1, to[r].size() * sizeof(Word));
+      if (static_cast<int>(r) != this_rank) Talk::count(1, to[r].size() * sizeof(Word));
       MPI_Isend(to[r].data(), count_of(to[r]), MPI_UINT64_T, static_cast<int>(r), 0, MPI_COMM_WORLD,
                 &requests.emplace_back());
     }
