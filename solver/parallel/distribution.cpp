@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <numeric>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
+#include "parallel/halo_cells.hpp"
 #include "parallel/partition.hpp"
 
 namespace tektite {
@@ -38,52 +38,6 @@ Words joined(const std::vector<Words>& all) {
   for (const auto& one : all) words.insert(words.end(), one.begin(), one.end());
   return words;
 }
-
-/// Cells of a halo's width. Their coordinates wrap around, so that each fits into a word: cells that fall together by
-/// that only bring more copies. Space is folded along planes of symmetry, so that who is near to an image is near to
-/// its particle, also beyond the plane.
-class HaloCells {
- public:
-  HaloCells(const Particles& particles, const Halo& halo, const std::vector<SymmetryPlane>& symmetry)
-      : dimensions_(static_cast<std::size_t>(particles.dimensions())),
-        // A little wider, so that no rounding parts particles that are nearer than the width by two cells.
-        side_(halo.width * (1.0 + 1e-9)),
-        places_(particles.reals(halo.places)),
-        symmetry_(symmetry) {}
-
-  Word of(std::size_t i) const {
-    Word key = 0;
-    for (std::size_t k = 0; k < dimensions_; ++k) {
-      double place = places_[i * dimensions_ + k];
-      for (const auto& plane : symmetry_)
-        if (static_cast<std::size_t>(plane.axis) == k) place = std::abs(place - plane.at);
-      const double cell = std::clamp(std::floor(place / side_), -farthest, farthest);
-      key |= (static_cast<Word>(static_cast<std::int64_t>(cell)) & mask) << (bits * k);
-    }
-    return key;
-  }
-  /// Whether one of those cells is this one or touches it.
-  bool touches(Word key, const std::unordered_set<Word>& cells) const {
-    std::size_t count = 1;
-    for (std::size_t k = 0; k < dimensions_; ++k) count *= 3;
-    for (std::size_t n = 0; n < count; ++n) {
-      Word other = 0;
-      for (std::size_t k = 0, rest = n; k < dimensions_; ++k, rest /= 3)
-        other |= (((key >> (bits * k)) + rest % 3 - 1) & mask) << (bits * k);
-      if (cells.contains(other)) return true;
-    }
-    return false;
-  }
-
- private:
-  static constexpr std::size_t bits = 21;
-  static constexpr Word mask = (Word{1} << bits) - 1;
-  static constexpr double farthest = 1e15;
-  std::size_t dimensions_;
-  double side_;
-  std::span<const double> places_;
-  const std::vector<SymmetryPlane>& symmetry_;
-};
 
 }  // namespace
 
@@ -169,17 +123,38 @@ namespace {
 /// Who has been sent to each rank, a byte for each of the own particles.
 using Sent = std::vector<std::vector<std::uint8_t>>;
 
-Words keys_in(const HaloCells& cells, const Particles& particles, const Owned& counts) {
-  std::unordered_set<Word> keys;
+/// The box about each rank's own particles.
+std::vector<CellBox> boxes_of_all(const HaloCells& cells, const Particles& particles) {
+  const Owned owned(particles);
+  CellBox own;
   for (std::size_t i = 0; i < particles.count(); ++i)
-    if (counts(i)) keys.insert(cells.of(i));
-  return {keys.begin(), keys.end()};
+    if (owned(i)) own.take(cells.cell(i));
+  std::vector<CellBox> boxes;
+  for (const auto& words : gather_on_all(own.words())) boxes.emplace_back(words);
+  return boxes;
+}
+
+/// The cells of each rank that may touch one of this rank's own, of its own particles or of all that it has.
+std::vector<std::unordered_set<Word>> keys_of_others(const HaloCells& cells, const Particles& particles,
+                                                     const Owned& counts) {
+  const auto boxes = boxes_of_all(cells, particles);
+  std::unordered_map<Word, CellBox> inhabited;
+  for (std::size_t i = 0; i < particles.count(); ++i)
+    if (counts(i)) inhabited[cells.of(i)].take(cells.cell(i));
+  auto to = for_each_rank();
+  for (std::size_t r = 0; r < to.size(); ++r)
+    if (r != slot(rank()))
+      for (const auto& [key, box] : inhabited)
+        if (box.touches(boxes[r])) to[r].push_back(key);
+  std::vector<std::unordered_set<Word>> keys;
+  for (const auto& words : exchange_words(to)) keys.emplace_back(words.begin(), words.end());
+  return keys;
 }
 
 /// Adds copies of all that are in a halo and not there yet.
 void add_copies(Particles& particles, const Halo& halo, const std::vector<SymmetryPlane>& symmetry, Sent& sent) {
   const HaloCells cells(particles, halo, symmetry);
-  const auto keys_of = gather_on_all(keys_in(cells, particles, halo.of_copies ? Owned() : Owned(particles)));
+  const auto theirs = keys_of_others(cells, particles, halo.of_copies ? Owned() : Owned(particles));
   const auto own = owned_in(particles);
   std::unordered_map<Word, std::vector<std::uint32_t>> members;  // numbers in `own`
   for (std::uint32_t n = 0; n < own.size(); ++n) members[cells.of(own[n])].push_back(n);
@@ -187,11 +162,10 @@ void add_copies(Particles& particles, const Halo& halo, const std::vector<Symmet
   const PackedLayout layout(particles);
   auto to = for_each_rank();
   for (int r = 0; r < ranks(); ++r) {
-    if (r == rank()) continue;
-    const std::unordered_set<Word> theirs(keys_of[slot(r)].begin(), keys_of[slot(r)].end());
+    if (theirs[slot(r)].empty()) continue;
     std::vector<std::uint32_t> copied;
     for (const auto& [key, inside] : members) {
-      if (!cells.touches(key, theirs)) continue;
+      if (!cells.touches(key, theirs[slot(r)])) continue;
       for (const auto n : inside)
         if (!std::exchange(sent[slot(r)][n], 1)) copied.push_back(own[n]);
     }
