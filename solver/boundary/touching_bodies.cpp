@@ -67,7 +67,7 @@ void TouchingBodies::find(const Particles& particles, const PairList& list, cons
       if (owned(i)) larger(most[body[i]], sums[i].energy / volume[i]);
     each_over_ranks(particles, most, larger);
     for (std::uint32_t a = 0; a < most.size(); ++a)
-      if (most[a] > 0.0) found[{a, turn.other[a]}] = most[a] * (1.0 + of_rounding);
+      if (most[a] > 0.0) found[Bodies(a, turn.other[a])] = most[a] * (1.0 + of_rounding);
   }
   at_start_ = std::move(found);
 }
