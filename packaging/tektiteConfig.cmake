@@ -1,4 +1,5 @@
-# find_package(tektite): the target tektite::solver, and tektite::core for scenes and particle files alone.
+# find_package(tektite): the target tektite::solver, and tektite::core for scenes and particle files
+# alone, together with tektite::serial_hdf5.
 include(CMakeFindDependencyMacro)
 find_dependency(fmt)
 find_dependency(spdlog)

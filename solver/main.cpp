@@ -4,6 +4,7 @@
 #include "core/program.hpp"
 #include "parallel/ranks.hpp"
 #include "parallel/threads.hpp"
+#include "run/check.hpp"
 #include "run/run.hpp"
 #include "stability/analyse.hpp"
 

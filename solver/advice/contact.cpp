@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "advice/flow_stress.hpp"
-#include "core/body_mean.hpp"
+#include "parallel/body_mean.hpp"
 
 namespace tektite {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/body_mean.hpp"
 #include "output/progress.hpp"
+#include "parallel/body_mean.hpp"
 #include "physics/eos/shock_slope.hpp"
 
 namespace tektite {

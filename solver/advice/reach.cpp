@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/body_mean.hpp"
+#include "parallel/body_mean.hpp"
 
 namespace tektite {
 namespace {

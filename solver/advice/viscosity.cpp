@@ -6,7 +6,7 @@
 
 #include "advice/flow_stress.hpp"
 #include "advice/thickness.hpp"
-#include "core/body_mean.hpp"
+#include "parallel/body_mean.hpp"
 
 namespace tektite {
 

@@ -101,7 +101,7 @@ typename TimeStepLimit<D>::Least KernelContact<D, Kernel>::stable_step(double co
 template <int D, class Kernel>
 bool KernelContact<D, Kernel>::touching() const {
   const bool any = std::any_of(energy_.begin(), energy_.end(), [](double energy) { return energy > 0.0; });
-  return over_ranks(particles_, any, [](bool& whole, bool part) { whole = whole || part; });
+  return over_ranks(particles_, any, either);
 }
 
 template <int D, class Kernel>

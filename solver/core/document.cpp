@@ -164,6 +164,18 @@ Document Document::parse(std::string_view text, const std::string& origin) {
   return document;
 }
 
+InputError Document::placed(const InputError& fault) const {
+  auto told = fault.fault();
+  if (!told.place.file.empty()) return fault;
+  auto path = told.key;
+  while (!path.empty() && !places_.contains(path)) {
+    const auto dot = path.rfind('.');
+    path.resize(dot == std::string::npos ? 0 : dot);
+  }
+  told.place = places_.contains(path) ? places_.at(path) : Place{origin_, 0};
+  return InputError(told);
+}
+
 Section Document::root() { return Section(this, table_.get(), ""); }
 
 std::string Document::text() const {

@@ -64,6 +64,10 @@ class Document {
   const std::string& variant() const { return variant_; }
   const std::string& origin() const { return origin_; }
 
+  /// The fault of a key, told by who does not know the file, with the key's place, or that of the nearest table about
+  /// it.
+  InputError placed(const InputError& fault) const;
+
   /// The document as TOML, with comments that tell the variant and the file and line of each key, which parse() reads.
   std::string text() const;
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace tektite {
 namespace {
 
@@ -35,6 +37,6 @@ std::string message(const InputFault& fault) {
 
 }  // namespace
 
-InputError::InputError(const InputFault& fault) : std::runtime_error(message(fault)) {}
+InputError::InputError(InputFault fault) : std::runtime_error(message(fault)), fault_(std::move(fault)) {}
 
 }  // namespace tektite

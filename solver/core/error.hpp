@@ -25,8 +25,12 @@ struct InputFault {
 /// The input is wrong: exit code 2.
 class InputError : public std::runtime_error {
  public:
-  explicit InputError(const InputFault& fault);
+  explicit InputError(InputFault fault);
   explicit InputError(const std::string& reason) : InputError(InputFault{{}, {}, {}, reason, {}}) {}
+  const InputFault& fault() const { return fault_; }
+
+ private:
+  InputFault fault_;
 };
 
 /// The run failed although its input could be read: exit code 1.

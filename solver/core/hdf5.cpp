@@ -28,11 +28,12 @@ Handle made_without_times(hid_t kind) {
   return properties;
 }
 
-Handle create_file(const std::string& path) {
+Handle create_file(const std::string& path, const Together* together) {
   quiet();
   const auto creation = made_without_times(H5P_FILE_CREATE);
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_libver_bounds(access.id(), H5F_LIBVER_V110, H5F_LIBVER_V110);  // metadata with checksums
+  if (together) together->open(access.id());
   return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose};
 }
 
@@ -48,6 +49,21 @@ Handle text_type(std::size_t length) {
   return type;
 }
 
+/// Of the rows in a file, these alone.
+void select(const Handle& space, const Rows& rows, std::size_t columns) {
+  const std::array<hsize_t, 2> start{rows.first, 0}, count{rows.count, columns};
+  if (rows.count == 0)
+    H5Sselect_none(space.id());
+  else
+    H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr);
+}
+
+/// Rows in memory.
+Handle space_of(std::size_t rows, std::size_t columns) {
+  const std::array<hsize_t, 2> shape{rows, columns};
+  return {H5Screate_simple(columns == 1 ? 1 : 2, shape.data(), nullptr), H5Sclose};
+}
+
 /// How faults name an attribute.
 std::string part_of(const std::string& object, const std::string& attribute) {
   return (object == "/" ? "/@" : object + "/@") + attribute;
@@ -59,45 +75,60 @@ InputError broken(const std::string& path, const std::string& part, const std::s
 
 }  // namespace
 
-Writer::Writer(const std::string& path) : path_(path), file_(create_file(path)) {
-  if (!file_.valid())
-    throw RunError(path + ": cannot be created (is the folder there, writable, and the disk not full?)");
+Writer::Writer(const std::string& path, const Together* together)
+    : path_(path), together_(together), file_(create_file(path, together)) {
+  check(file_.valid(), path + ": cannot be created (is the folder there, writable, and the disk not full?)");
+}
+
+void Writer::check(bool fine, const std::string& failure) const {
+  if (!(together_ ? together_->everywhere(fine) : fine)) throw RunError(failure);
 }
 
 void Writer::group(const std::string& name) {
   const auto properties = made_without_times(H5P_GROUP_CREATE);
+  // All in the group's own header: the heaps that hold many members lie elsewhere where several processes write.
+  constexpr unsigned most = 65535;
+  H5Pset_link_phase_change(properties.id(), most, most);
+  H5Pset_attr_phase_change(properties.id(), most, most);
   const Handle group(H5Gcreate2(file_.id(), name.c_str(), H5P_DEFAULT, properties.id(), H5P_DEFAULT), H5Gclose);
-  if (!group.valid()) throw RunError(fmt::format("{}: {} cannot be written", path_, name));
+  check(group.valid(), fmt::format("{}: {} cannot be written", path_, name));
 }
 
-void Writer::dataset(const std::string& name, hid_t type, const void* values, std::size_t rows, std::size_t columns) {
-  const std::array<hsize_t, 2> shape{rows, columns};
-  const int rank = columns == 1 ? 1 : 2;
-  const Handle space(H5Screate_simple(rank, shape.data(), nullptr), H5Sclose);
+void Writer::dataset(const std::string& name, hid_t type, const void* values, const Rows& rows, std::size_t columns) {
+  const auto space = space_of(rows.all, columns), own = space_of(rows.count, columns);
   const auto properties = made_without_times(H5P_DATASET_CREATE);
-  if (rows > 0) {
+  if (rows.all > 0) {
     constexpr hsize_t rows_per_chunk = 65536;
-    const std::array<hsize_t, 2> chunk{std::min<hsize_t>(rows, rows_per_chunk), columns};
-    H5Pset_chunk(properties.id(), rank, chunk.data());
+    const std::array<hsize_t, 2> chunk{std::min<hsize_t>(rows.all, rows_per_chunk), columns};
+    H5Pset_chunk(properties.id(), columns == 1 ? 1 : 2, chunk.data());
     H5Pset_fletcher32(properties.id());
+    // As it is where several processes write: so one leaves the same bytes.
+    H5Pset_alloc_time(properties.id(), H5D_ALLOC_TIME_EARLY);
+    H5Pset_fill_time(properties.id(), H5D_FILL_TIME_NEVER);
   }
   const Handle data(H5Dcreate2(file_.id(), name.c_str(), type, space.id(), H5P_DEFAULT, properties.id(), H5P_DEFAULT),
                     H5Dclose);
-  if (!data.valid() || (rows > 0 && H5Dwrite(data.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0))
-    throw RunError(fmt::format("{}: {} cannot be written (is the disk full?)", path_, name));
+  const Handle transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
+  if (together_) together_->transfer(transfer.id());
+  select(space, rows, columns);
+  const auto failure = fmt::format("{}: {} cannot be written (is the disk full?)", path_, name);
+  check(data.valid(), failure);
+  if (rows.all > 0) check(H5Dwrite(data.id(), type, own.id(), space.id(), transfer.id(), values) >= 0, failure);
 }
 
-void Writer::reals(const std::string& name, std::span<const double> values, std::size_t columns) {
-  dataset(name, H5T_NATIVE_DOUBLE, values.data(), values.size() / columns, columns);
+void Writer::reals(const std::string& name, std::span<const double> values, std::size_t columns, const Rows& rows) {
+  dataset(name, H5T_NATIVE_DOUBLE, values.data(), rows, columns);
 }
 
-void Writer::integers(const std::string& name, std::span<const std::int64_t> values, std::size_t columns) {
-  dataset(name, H5T_NATIVE_INT64, values.data(), values.size() / columns, columns);
+void Writer::integers(const std::string& name, std::span<const std::int64_t> values, std::size_t columns,
+                      const Rows& rows) {
+  dataset(name, H5T_NATIVE_INT64, values.data(), rows, columns);
 }
 
 void Writer::text(const std::string& name, const std::string& value) {
   // Stored as bytes in a chunked dataset, so that it carries a checksum too.
-  dataset(name, H5T_NATIVE_UCHAR, value.data(), value.size(), 1);
+  const bool writes = !together_ || together_->first();
+  dataset(name, H5T_NATIVE_UCHAR, value.data(), {0, writes ? value.size() : 0, value.size()}, 1);
 }
 
 void Writer::attribute(const std::string& object, const std::string& name, const std::string& value) {
@@ -106,8 +137,8 @@ void Writer::attribute(const std::string& object, const std::string& name, const
   const Handle attribute(H5Acreate_by_name(file_.id(), object.c_str(), name.c_str(), type.id(), space.id(), H5P_DEFAULT,
                                            H5P_DEFAULT, H5P_DEFAULT),
                          H5Aclose);
-  if (!attribute.valid() || H5Awrite(attribute.id(), type.id(), value.empty() ? "\0" : value.data()) < 0)
-    throw RunError(fmt::format("{}: {} cannot be written", path_, part_of(object, name)));
+  check(attribute.valid() && H5Awrite(attribute.id(), type.id(), value.empty() ? "\0" : value.data()) >= 0,
+        fmt::format("{}: {} cannot be written", path_, part_of(object, name)));
 }
 
 void Writer::attribute(const std::string& object, const std::string& name, double value) {
@@ -115,8 +146,8 @@ void Writer::attribute(const std::string& object, const std::string& name, doubl
   const Handle attribute(H5Acreate_by_name(file_.id(), object.c_str(), name.c_str(), H5T_NATIVE_DOUBLE, space.id(),
                                            H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
                          H5Aclose);
-  if (!attribute.valid() || H5Awrite(attribute.id(), H5T_NATIVE_DOUBLE, &value) < 0)
-    throw RunError(fmt::format("{}: {} cannot be written", path_, part_of(object, name)));
+  check(attribute.valid() && H5Awrite(attribute.id(), H5T_NATIVE_DOUBLE, &value) >= 0,
+        fmt::format("{}: {} cannot be written", path_, part_of(object, name)));
 }
 
 void Writer::attribute(const std::string& object, const std::string& name, std::int64_t value) {
@@ -124,13 +155,12 @@ void Writer::attribute(const std::string& object, const std::string& name, std::
   const Handle attribute(H5Acreate_by_name(file_.id(), object.c_str(), name.c_str(), H5T_NATIVE_INT64, space.id(),
                                            H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
                          H5Aclose);
-  if (!attribute.valid() || H5Awrite(attribute.id(), H5T_NATIVE_INT64, &value) < 0)
-    throw RunError(fmt::format("{}: {} cannot be written", path_, part_of(object, name)));
+  check(attribute.valid() && H5Awrite(attribute.id(), H5T_NATIVE_INT64, &value) >= 0,
+        fmt::format("{}: {} cannot be written", path_, part_of(object, name)));
 }
 
 void Writer::close() {
-  if (H5Fflush(file_.id(), H5F_SCOPE_GLOBAL) < 0)
-    throw RunError(path_ + ": cannot be brought to the disk (is the disk full?)");
+  check(H5Fflush(file_.id(), H5F_SCOPE_GLOBAL) >= 0, path_ + ": cannot be brought to the disk (is the disk full?)");
   const Handle closing(std::move(file_));
 }
 
@@ -174,21 +204,26 @@ Handle Reader::dataset(const std::string& name, hid_t type, std::size_t rows, st
   return data;
 }
 
-void Reader::read(const Handle& data, const std::string& name, hid_t type, void* values, std::size_t rows) const {
-  if (rows > 0 && H5Dread(data.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
+void Reader::read(const Handle& data, const std::string& name, hid_t type, void* values, const Rows& rows) const {
+  if (rows.count == 0) return;
+  const Handle space(H5Dget_space(data.id()), H5Sclose);
+  const auto columns = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.id())) / rows.all;
+  select(space, rows, columns);
+  const auto own = space_of(rows.count, columns);
+  if (H5Dread(data.id(), type, own.id(), space.id(), H5P_DEFAULT, values) < 0)
     throw broken(path_, name, "cannot be read: it is truncated or its checksum is wrong");
 }
 
-std::vector<double> Reader::reals(const std::string& name, std::size_t rows, std::size_t columns) const {
-  const auto data = dataset(name, H5T_NATIVE_DOUBLE, rows, columns);
-  std::vector<double> values(rows * columns);
+std::vector<double> Reader::reals(const std::string& name, const Rows& rows, std::size_t columns) const {
+  const auto data = dataset(name, H5T_NATIVE_DOUBLE, rows.all, columns);
+  std::vector<double> values(rows.count * columns);
   read(data, name, H5T_NATIVE_DOUBLE, values.data(), rows);
   return values;
 }
 
-std::vector<std::int64_t> Reader::integers(const std::string& name, std::size_t rows, std::size_t columns) const {
-  const auto data = dataset(name, H5T_NATIVE_INT64, rows, columns);
-  std::vector<std::int64_t> values(rows * columns);
+std::vector<std::int64_t> Reader::integers(const std::string& name, const Rows& rows, std::size_t columns) const {
+  const auto data = dataset(name, H5T_NATIVE_INT64, rows.all, columns);
+  std::vector<std::int64_t> values(rows.count * columns);
   read(data, name, H5T_NATIVE_INT64, values.data(), rows);
   return values;
 }

@@ -28,14 +28,32 @@ class Handle {
   Close close_;
 };
 
+/// Of a dataset of `all` rows the `count` from `first` on.
+struct Rows {
+  Rows(std::size_t whole) : count(whole), all(whole) {}  // NOLINT(google-explicit-constructor): all of them
+  Rows(std::size_t first_row, std::size_t how_many, std::size_t whole)
+      : first(first_row), count(how_many), all(whole) {}
+  std::size_t first = 0, count, all;
+};
+
+/// Several processes that write a file together: each calls the same, with its own rows.
+class Together {
+ public:
+  virtual ~Together() = default;
+  virtual void open(hid_t access) const = 0;          ///< sets how the file is opened
+  virtual void transfer(hid_t properties) const = 0;  ///< and how rows are written
+  virtual bool first() const = 0;                     ///< whether this is the one that writes what all have
+  virtual bool everywhere(bool fine) const = 0;       ///< whether it is so in every process
+};
+
 class Writer {
  public:
-  /// Creates the file; throws RunError where that is impossible, here and in every call below.
-  explicit Writer(const std::string& path);
+  /// Creates the file; throws RunError where that is impossible, here and in every call below: in all processes.
+  explicit Writer(const std::string& path, const Together* together = nullptr);
   void group(const std::string& name);
-  /// A dataset of rows x columns; `columns` 1 gives a plain list.
-  void reals(const std::string& name, std::span<const double> values, std::size_t columns);
-  void integers(const std::string& name, std::span<const std::int64_t> values, std::size_t columns);
+  /// A dataset of rows x columns, of which these values are some; `columns` 1 gives a plain list.
+  void reals(const std::string& name, std::span<const double> values, std::size_t columns, const Rows& rows);
+  void integers(const std::string& name, std::span<const std::int64_t> values, std::size_t columns, const Rows& rows);
   void text(const std::string& name, const std::string& value);
   void attribute(const std::string& object, const std::string& name, const std::string& value);
   void attribute(const std::string& object, const std::string& name, double value);
@@ -44,8 +62,10 @@ class Writer {
   void close();
 
  private:
-  void dataset(const std::string& name, hid_t type, const void* values, std::size_t rows, std::size_t columns);
+  void dataset(const std::string& name, hid_t type, const void* values, const Rows& rows, std::size_t columns);
+  void check(bool fine, const std::string& failure) const;
   std::string path_;
+  const Together* together_;
   Handle file_;
 };
 
@@ -55,8 +75,8 @@ class Reader {
   explicit Reader(const std::string& path);
   bool has(const std::string& name) const;
   std::vector<std::string> members(const std::string& group) const;
-  std::vector<double> reals(const std::string& name, std::size_t rows, std::size_t columns) const;
-  std::vector<std::int64_t> integers(const std::string& name, std::size_t rows, std::size_t columns) const;
+  std::vector<double> reals(const std::string& name, const Rows& rows, std::size_t columns) const;
+  std::vector<std::int64_t> integers(const std::string& name, const Rows& rows, std::size_t columns) const;
   std::string text(const std::string& name) const;
   std::string text_attribute(const std::string& object, const std::string& name) const;
   double real_attribute(const std::string& object, const std::string& name) const;
@@ -70,7 +90,7 @@ class Reader {
   Handle value_attribute(const std::string& object, const std::string& name) const;
   /// The dataset, once its type and shape are what is expected and its data are there: memory is asked for only after.
   Handle dataset(const std::string& name, hid_t type, std::size_t rows, std::size_t columns) const;
-  void read(const Handle& data, const std::string& name, hid_t type, void* values, std::size_t rows) const;
+  void read(const Handle& data, const std::string& name, hid_t type, void* values, const Rows& rows) const;
   std::string path_;
   Handle file_;
 };

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -62,48 +63,64 @@ void check_numbers(const hdf5::Reader& file, const FieldInfo& field, std::span<c
 
 }  // namespace
 
+void write_rows(hdf5::Writer& file, const Snapshot& snapshot, const std::vector<Body>& bodies, const hdf5::Rows& rows) {
+  file.attribute("/", "format", std::string(format_name));
+  file.attribute("/", "format_version", std::int64_t{particle_format_version});
+  file.attribute("/", "tektite_version", std::string(version));
+  const auto& particles = snapshot.particles;
+  file.attribute("/", "space", std::string(name_of(particles.space())));
+  file.text("/scene", snapshot.scene);
+  file.group("/state");
+  for (const auto& [name, value] : snapshot.state) file.attribute("/state", name, value);
+  file.group("/bodies");
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    const auto object = fmt::format("/bodies/{:04}", k);
+    file.group(object);
+    file.attribute(object, "name", bodies[k].name);
+    file.attribute(object, "material", bodies[k].material);
+    file.attribute(object, "spacing", bodies[k].spacing);
+    file.attribute(object, "first", static_cast<std::int64_t>(bodies[k].range.begin));
+    file.attribute(object, "count", static_cast<std::int64_t>(bodies[k].range.size()));
+  }
+  file.group("/particles");
+  for (const auto& row : field_table) {
+    if (!saved(row.keep) || !particles.has(row.field)) continue;
+    const auto object = fmt::format("/particles/{}", row.name);
+    const auto columns = static_cast<std::size_t>(particles.components(row.field));
+    if (row.rank == Rank::integer)
+      file.integers(object, particles.integers(row.field).first(rows.count), columns, rows);
+    else
+      file.reals(object, particles.reals(row.field).first(rows.count * columns), columns, rows);
+    file.attribute(object, "unit", std::string(row.unit));
+    file.attribute(object, "symbol", std::string(row.symbol));
+  }
+  file.close();
+}
+
 void write_snapshot(const Snapshot& snapshot, const std::string& path) {
   write_beside(path, [&](const std::string& beside) {
     hdf5::Writer file(beside);
-    file.attribute("/", "format", std::string(format_name));
-    file.attribute("/", "format_version", std::int64_t{particle_format_version});
-    file.attribute("/", "tektite_version", std::string(version));
-    const auto& particles = snapshot.particles;
-    file.attribute("/", "space", std::string(name_of(particles.space())));
-    file.text("/scene", snapshot.scene);
-    file.group("/state");
-    for (const auto& [name, value] : snapshot.state) file.attribute("/state", name, value);
-    file.group("/bodies");
-    for (std::size_t k = 0; k < particles.bodies().size(); ++k) {
-      const auto& body = particles.bodies()[k];
-      const auto object = fmt::format("/bodies/{:04}", k);
-      file.group(object);
-      file.attribute(object, "name", body.name);
-      file.attribute(object, "material", body.material);
-      file.attribute(object, "spacing", body.spacing);
-      file.attribute(object, "first", static_cast<std::int64_t>(body.range.begin));
-      file.attribute(object, "count", static_cast<std::int64_t>(body.range.size()));
-    }
-    file.group("/particles");
-    for (const auto& row : field_table) {
-      if (!saved(row.keep) || !particles.has(row.field)) continue;
-      const auto object = fmt::format("/particles/{}", row.name);
-      const auto columns = static_cast<std::size_t>(particles.components(row.field));
-      if (row.rank == Rank::integer)
-        file.integers(object, particles.integers(row.field).first(particles.count()), columns);
-      else
-        file.reals(object, particles.reals(row.field).first(particles.count() * columns), columns);
-      file.attribute(object, "unit", std::string(row.unit));
-      file.attribute(object, "symbol", std::string(row.symbol));
-    }
-    file.close();
+    write_rows(file, snapshot, snapshot.particles.bodies(), snapshot.particles.count());
     seal(beside);
   });
 }
 
 namespace {
 
-Snapshot read_whole(const std::string& path) {
+hdf5::Rows all_rows(std::size_t all) { return all; }
+
+/// What bodies have of some rows.
+std::vector<Body> bodies_in(std::vector<Body> bodies, const hdf5::Rows& rows) {
+  const auto within = [&](std::size_t row) {
+    return std::clamp(row, rows.first, rows.first + rows.count) - rows.first;
+  };
+  for (auto& body : bodies) body.range = {within(body.range.begin), within(body.range.end)};
+  return bodies;
+}
+
+}  // namespace
+
+Snapshot read_rows(const std::string& path, const ShareOfRows& share) {
   const hdf5::Reader file(path);
   if (file.text_attribute("/", "format") != format_name) throw broken(file, "/@format", "this is no particle file");
   const auto format = file.integer_attribute("/", "format_version");
@@ -117,18 +134,20 @@ Snapshot read_whole(const std::string& path) {
   if (!snapshot.state.contains("time") || !std::isfinite(snapshot.state["time"]))
     throw broken(file, "/state/@time", "is missing or not finite");
   auto& particles = snapshot.particles;
-  particles = Particles(read_space(file), read_bodies(file));
+  const auto bodies = read_bodies(file);
+  const auto rows = share(bodies.back().range.end);
+  particles = Particles(read_space(file), bodies_in(bodies, rows));
   for (const auto& member : file.members("/particles")) {
     const auto field = field_named(member);
     const auto object = "/particles/" + member;
     if (!field || !saved(info(*field).keep)) throw broken(file, object, "no such field");
     const auto columns = static_cast<std::size_t>(particles.components(*field));
     if (info(*field).rank == Rank::integer) {
-      const auto values = file.integers(object, particles.count(), columns);
+      const auto values = file.integers(object, rows, columns);
       particles.allocate(*field);
       std::copy(values.begin(), values.end(), particles.integers(*field).begin());
     } else {
-      const auto values = file.reals(object, particles.count(), columns);
+      const auto values = file.reals(object, rows, columns);
       check_numbers(file, info(*field), values);
       particles.allocate(*field);
       std::copy(values.begin(), values.end(), particles.reals(*field).begin());
@@ -140,16 +159,18 @@ Snapshot read_whole(const std::string& path) {
   return snapshot;
 }
 
-}  // namespace
-
-Snapshot read_snapshot(const std::string& path) {
+void check_file(const std::string& path) {
   if (!std::filesystem::exists(path)) throw InputError({{path, 0}, {}, {}, "there is no such file", {}});
   if (!std::filesystem::is_regular_file(path)) throw InputError({{path, 0}, {}, {}, "this is no file", {}});
   // A file without a seal may be anything, and the HDF5 library does not survive everything.
-  if (!check_seal(path) && !can_be_read(path, [&] { read_whole(path); }))
+  if (!check_seal(path) && !can_be_read(path, [&] { read_rows(path, all_rows); }))
     throw InputError(
         {{path, 0}, {}, {}, "the file is damaged: the HDF5 library fails on it", "a particle file of tektite, whole"});
-  return read_whole(path);
+}
+
+Snapshot read_snapshot(const std::string& path) {
+  check_file(path);
+  return read_rows(path, all_rows);
 }
 
 }  // namespace tektite

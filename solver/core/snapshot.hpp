@@ -7,11 +7,17 @@
 //   /bodies/NNNN     @name @material @spacing @first @count
 //   /particles/FIELD (count) or (count, components), with @unit and @symbol
 
+#include <functional>
 #include <map>
 #include <string>
 
 #include "core/document.hpp"
 #include "core/particles.hpp"
+
+namespace tektite::hdf5 {
+class Writer;
+struct Rows;
+}  // namespace tektite::hdf5
 
 namespace tektite {
 
@@ -28,7 +34,20 @@ inline constexpr int particle_format_version = 1;
 /// Writes beside and renames, so that `path` is either whole or as it was. Throws RunError.
 void write_snapshot(const Snapshot& snapshot, const std::string& path);
 
+/// Writes the file of these bodies, of whose particles the snapshot has some rows. Throws RunError.
+void write_rows(hdf5::Writer& file, const Snapshot& snapshot, const std::vector<Body>& bodies, const hdf5::Rows& rows);
+
 /// Throws InputError where the file is missing, foreign, newer than this program, or broken.
 Snapshot read_snapshot(const std::string& path);
+
+/// Throws InputError where the file is missing, or so damaged that it must not be opened.
+void check_file(const std::string& path);
+
+/// The first of the rows of a file and how many there are, out of the number of all.
+using ShareOfRows = std::function<hdf5::Rows(std::size_t)>;
+
+/// Of a file that check_file() lets pass: all but the particles, and of these some rows, bodies' ranges being theirs.
+/// Throws InputError.
+Snapshot read_rows(const std::string& path, const ShareOfRows& share);
 
 }  // namespace tektite

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/saved_number.hpp"
+#include "parallel/reduce.hpp"
 
 namespace tektite {
 namespace {
@@ -55,12 +56,17 @@ Probes::Probes(const std::vector<Probe>& probes, const Particles& particles) {
       followed_.push_back(followed);
       continue;
     }
-    double nearest = std::numeric_limits<double>::infinity();
+    const auto least = [](double& whole, double part) { whole = std::min(whole, part); };
+    const double nearest = reduce(
+        particles, body->range, std::numeric_limits<double>::infinity(),
+        [&](double& so_far, std::size_t i) { least(so_far, distance(probe, particles, i)); }, least);
+    Words ids;
+    const Owned own(particles);
     for (std::size_t i = body->range.begin; i < body->range.end; ++i)
-      nearest = std::min(nearest, distance(probe, particles, i));
-    for (std::size_t i = body->range.begin; i < body->range.end; ++i)
-      if (distance(probe, particles, i) <= nearest + tie_tolerance * body->spacing)
-        followed.particles.push_back({id[i], i});
+      if (own(i) && distance(probe, particles, i) <= nearest + tie_tolerance * body->spacing)
+        ids.push_back(static_cast<Word>(id[i]));
+    for (const auto& of_rank : gather_on_all(ids))
+      for (const auto one : of_rank) followed.particles.push_back({static_cast<std::int64_t>(one), 0});
     std::ranges::sort(followed.particles, {}, &Follower::id);
     followed_.push_back(followed);
   }
@@ -88,47 +94,73 @@ void Probes::save(std::map<std::string, double>& state) const {
 void Probes::append_extremes(const Probe& probe, Field field, const Particles& particles, std::vector<double>& values) {
   const auto range = std::ranges::find(particles.bodies(), probe.body, &Body::name)->range;
   const auto width = static_cast<std::size_t>(particles.components(field));
-  for (std::size_t k = 0; k < width; ++k) {
-    const auto all = particles.reals(field);
-    double extreme = all[range.begin * width + k];
-    for (std::size_t i = range.begin; i < range.end; ++i)
-      extreme =
-          probe.shown == Shown::least ? std::min(extreme, all[i * width + k]) : std::max(extreme, all[i * width + k]);
-    values.push_back(extreme);
-  }
+  const auto all = particles.reals(field);
+  const bool least = probe.shown == Shown::least;
+  const auto take = [least](double& so_far, double value) {
+    so_far = least ? std::min(so_far, value) : std::max(so_far, value);
+  };
+  const double none = least ? std::numeric_limits<double>::infinity() : -std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < width; ++k)
+    values.push_back(reduce(
+        particles, range, none, [&](double& so_far, std::size_t i) { take(so_far, all[i * width + k]); }, take));
 }
 
-void Probes::append_means(const Followed& followed, Field field, const Particles& particles,
-                          std::vector<double>& values) {
+template <class Values>
+std::vector<double> Probes::values_of_each(Followed& followed, const Particles& particles, std::size_t width,
+                                           const Values& values) {
+  struct Number {
+    bool known;
+    double value;
+  };
+  std::vector<Number> numbers;
+  for (auto& particle : followed.particles) {
+    const bool own = find(particle, particles);
+    for (std::size_t k = 0; k < width; ++k) numbers.push_back({own, own ? values(particle.index, k) : 0.0});
+  }
+  each_over_ranks(particles, numbers, [](Number& whole, const Number& part) {
+    if (part.known) whole = part;
+  });
+  std::vector<double> all;
+  for (std::size_t n = 0; n < numbers.size(); ++n) {
+    if (!numbers[n].known)
+      throw RunError(
+          fmt::format("probe {}: its particle {} is gone", followed.probe.name, followed.particles[n / width].id));
+    all.push_back(numbers[n].value);
+  }
+  return all;
+}
+
+void Probes::append_means(Followed& followed, Field field, const Particles& particles, std::vector<double>& values) {
   const auto width = static_cast<std::size_t>(particles.components(field));
+  const auto numbers = values_of_each(followed, particles, width, [&](std::size_t index, std::size_t k) {
+    return particles.reals(field)[index * width + k];
+  });
   for (std::size_t k = 0; k < width; ++k) {
     double sum = 0.0;
-    for (const auto& particle : followed.particles) sum += particles.reals(field)[particle.index * width + k];
+    for (std::size_t n = k; n < numbers.size(); n += width) sum += numbers[n];
     values.push_back(sum / static_cast<double>(followed.particles.size()));
   }
 }
 
-void Probes::find(Followed& followed, const Particles& particles) {
-  const auto id = particles.integers(Field::id);
-  for (auto& particle : followed.particles) {
-    if (particle.index < id.size() && id[particle.index] == particle.id) continue;
-    const auto found = std::find(id.begin(), id.end(), particle.id);
-    if (found == id.end())
-      throw RunError(fmt::format("probe {}: its particle {} is gone", followed.probe.name, particle.id));
-    particle.index = static_cast<std::size_t>(found - id.begin());
-  }
+bool Probes::find(Follower& particle, const Particles& particles) {
+  const auto id = particles.integers(Field::id).first(particles.count());
+  if (particle.index >= id.size() || id[particle.index] != particle.id)
+    particle.index = static_cast<std::size_t>(std::find(id.begin(), id.end(), particle.id) - id.begin());
+  return particle.index < id.size() && Owned(particles)(particle.index);
 }
 
 std::vector<std::string> Probes::in_words(const Particles& particles) {
   std::vector<std::string> lines;
   for (auto& followed : followed_) {
     if (followed.particles.empty()) continue;
-    find(followed, particles);
+    const auto distances = values_of_each(followed, particles, 1, [&](std::size_t index, std::size_t) {
+      return distance(followed.probe, particles, index);
+    });
     std::vector<std::int64_t> ids;
     for (const auto& particle : followed.particles) ids.push_back(particle.id);
     lines.push_back(fmt::format("probe {}: {} {}, {:g} m from its place", followed.probe.name,
                                 ids.size() == 1 ? "particle" : "the mean of particles", fmt::join(ids, ", "),
-                                distance(followed.probe, particles, followed.particles.front().index)));
+                                distances.front()));
   }
   return lines;
 }
@@ -149,7 +181,6 @@ std::vector<double> Probes::values(const Particles& particles) {
       for (const auto field : followed.probe.fields) append_extremes(followed.probe, field, particles, values);
       continue;
     }
-    find(followed, particles);
     for (const auto field : followed.probe.fields) append_means(followed, field, particles, values);
   }
   return values;

@@ -15,7 +15,7 @@ namespace tektite {
 inline constexpr double tie_tolerance = 1e-6;
 
 /// Follows material points: each probe shows the mean over the particles that were nearest to its place at the start,
-/// mostly one. Or the extremes of a body, wherever they are.
+/// mostly one. Or the extremes of a body, wherever they are. Every rank follows them, and has the same values.
 class Probes {
  public:
   /// At the start of a run; throws InputError where a probe names no body of the file.
@@ -39,9 +39,13 @@ class Probes {
     Probe probe;
     std::vector<Follower> particles;  ///< in the order of their ids; none of an extreme
   };
-  static void find(Followed& followed, const Particles& particles);
-  static void append_means(const Followed& followed, Field field, const Particles& particles,
-                           std::vector<double>& values);
+  /// Looks for the particle of a probe; whether this rank owns it.
+  static bool find(Follower& particle, const Particles& particles);
+  /// values(index) of each particle of a probe, from the ranks that own them: `width` numbers each.
+  template <class Values>
+  static std::vector<double> values_of_each(Followed& followed, const Particles& particles, std::size_t width,
+                                            const Values& values);
+  static void append_means(Followed& followed, Field field, const Particles& particles, std::vector<double>& values);
   static void append_extremes(const Probe& probe, Field field, const Particles& particles, std::vector<double>& values);
   std::vector<Followed> followed_;
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "parallel/for_each.hpp"
+#include "parallel/ranks.hpp"
+#include "parallel/snapshot_on_ranks.hpp"
 
 namespace tektite {
 namespace {
@@ -32,12 +34,19 @@ void copy_kept_fields(const Particles& from, Particles& to) {
 
 }  // namespace
 
-void SnapshotWriter::start(const Snapshot& state, const std::string& path, const History& history) {
+void SnapshotWriter::start(const Snapshot& state, const std::string& path, const History* history) {
+  if (ranks() > 1) {
+    if (history) history->bring_to_disk();
+    write_snapshot_on_ranks(state, path);
+    begun_ = true;
+    return;
+  }
   copy_kept_fields(state.particles, copy_.particles);
   copy_.state = state.state;
   copy_.scene = state.scene;
-  writing_.start([this, path, &history] {
-    history.bring_to_disk();
+  begun_ = true;
+  writing_.start([this, path, history] {
+    if (history) history->bring_to_disk();
     write_snapshot(copy_, path);
   });
 }

@@ -41,12 +41,10 @@ Words joined(const std::vector<Words>& all) {
 
 }  // namespace
 
-Distribution::Distribution(Particles& particles, std::vector<SymmetryPlane> symmetry) : symmetry_(std::move(symmetry)) {
-  particles.allocate(Field::sequence);
-  particles.allocate(Field::owner);
-  const auto sequence = particles.integers(Field::sequence);
-  std::iota(sequence.begin(), sequence.end(), std::int64_t{0});
-  note_count_of_all(from_first_rank({particles.count()}).front());
+std::pair<std::size_t, std::size_t> least_and_most_owned(const Particles& particles) {
+  const auto counts = gather_on_all({owned_in(particles).size()});
+  const auto [least, most] = std::ranges::minmax(counts, {}, [](const Words& words) { return words.front(); });
+  return {least.front(), most.front()};
 }
 
 void Distribution::deal(Particles& particles, const Halos& halos) {
@@ -73,28 +71,12 @@ bool Distribution::worth_it(const Particles& particles) {
 std::vector<int> Distribution::new_owners(const Particles& particles, Field places,
                                           const std::vector<std::uint32_t>& own) const {
   const auto dimensions = static_cast<std::size_t>(particles.dimensions());
-  Words words;
-  for (const auto i : own) {
-    PartitionPoint point{{}, particles.integers(Field::id)[i], cost_};
-    for (std::size_t k = 0; k < dimensions; ++k) point.x[k] = particles.reals(places)[i * dimensions + k];
-    for (const double x : point.x) words.push_back(std::bit_cast<Word>(x));
-    words.push_back(std::bit_cast<Word>(point.id));
-    words.push_back(std::bit_cast<Word>(point.cost));
-  }
-  constexpr std::size_t width = 5;
-  const auto all = gather_on_all(words);
   std::vector<PartitionPoint> points;
-  std::size_t first = 0;
-  for (std::size_t r = 0; r < all.size(); ++r) {
-    if (r == slot(rank())) first = points.size();
-    for (auto word = all[r].begin(); word != all[r].end(); word += width) {
-      const auto number = [&](std::ptrdiff_t k) { return std::bit_cast<double>(word[k]); };
-      points.push_back({{number(0), number(1), number(2)}, std::bit_cast<std::int64_t>(word[3]), number(4)});
-    }
+  for (const auto i : own) {
+    auto& point = points.emplace_back(PartitionPoint{{}, cost_});
+    for (std::size_t k = 0; k < dimensions; ++k) point.x[k] = particles.reals(places)[i * dimensions + k];
   }
-  const auto owners = bisect(points, ranks());
-  const auto begin = owners.begin() + static_cast<std::ptrdiff_t>(first);
-  return {begin, begin + static_cast<std::ptrdiff_t>(own.size())};
+  return ranks_of(points);
 }
 
 /// Brings the particles to new owners.
@@ -120,9 +102,6 @@ void Distribution::move(Particles& particles, Field places) {
 
 namespace {
 
-/// Who has been sent to each rank, a byte for each of the own particles.
-using Sent = std::vector<std::vector<std::uint8_t>>;
-
 /// The box about each rank's own particles.
 std::vector<CellBox> boxes_of_all(const HaloCells& cells, const Particles& particles) {
   const Owned owned(particles);
@@ -140,7 +119,10 @@ std::vector<std::unordered_set<Word>> keys_of_others(const HaloCells& cells, con
   const auto boxes = boxes_of_all(cells, particles);
   std::unordered_map<Word, CellBox> inhabited;
   for (std::size_t i = 0; i < particles.count(); ++i)
-    if (counts(i)) inhabited[cells.of(i)].take(cells.cell(i));
+    if (counts(i)) {
+      const auto cell = cells.cell(i);
+      inhabited[cells.key_of(cell)].take(cell);
+    }
   auto to = for_each_rank();
   for (std::size_t r = 0; r < to.size(); ++r)
     if (r != slot(rank()))
@@ -152,12 +134,13 @@ std::vector<std::unordered_set<Word>> keys_of_others(const HaloCells& cells, con
 }
 
 /// Adds copies of all that are in a halo and not there yet.
-void add_copies(Particles& particles, const Halo& halo, const std::vector<SymmetryPlane>& symmetry, Sent& sent) {
+void add_copies(Particles& particles, const Halo& halo, const std::vector<SymmetryPlane>& symmetry,
+                std::vector<std::vector<std::uint8_t>>& sent) {
   const HaloCells cells(particles, halo, symmetry);
   const auto theirs = keys_of_others(cells, particles, halo.of_copies ? Owned() : Owned(particles));
   const auto own = owned_in(particles);
   std::unordered_map<Word, std::vector<std::uint32_t>> members;  // numbers in `own`
-  for (std::uint32_t n = 0; n < own.size(); ++n) members[cells.of(own[n])].push_back(n);
+  for (std::uint32_t n = 0; n < own.size(); ++n) members[cells.key_of(cells.cell(own[n]))].push_back(n);
 
   const PackedLayout layout(particles);
   auto to = for_each_rank();
@@ -182,15 +165,26 @@ void add_copies(Particles& particles, const Halo& halo, const std::vector<Symmet
 
 }  // namespace
 
-/// The own particles, and copies of all others in the halos.
-void Distribution::fetch_copies(Particles& particles, const Halos& halos) {
+Particles Distribution::with_copies(const Particles& particles, const Halos& halos, Sent& sent) const {
   const auto old = owned_in(particles);
   const PackedLayout layout(particles);
   Words records;
   layout.pack(particles, old, records);
-  particles = layout.build(particles, records);
-  Sent sent(slot(ranks()), std::vector<std::uint8_t>(old.size(), 0));
-  for (const auto& halo : halos) add_copies(particles, halo, symmetry_, sent);
+  auto copied = layout.build(particles, records);
+  sent.assign(slot(ranks()), std::vector<std::uint8_t>(old.size(), 0));
+  for (const auto& halo : halos) add_copies(copied, halo, symmetry_, sent);
+  return copied;
+}
+
+Particles Distribution::with_copies(const Particles& particles, const Halos& halos) const {
+  Sent sent;
+  return with_copies(particles, halos, sent);
+}
+
+/// The own particles, and copies of all others in the halos.
+void Distribution::fetch_copies(Particles& particles, const Halos& halos) {
+  Sent sent;
+  particles = with_copies(particles, halos, sent);
 
   // Both sides have what goes from one to the other in the order of memory, which is the same for both.
   to_.assign(sent.size(), {});
@@ -216,16 +210,6 @@ void Distribution::refresh(Particles& particles, const PackedLayout& layout) {
   }
   exchange_words(to, from);
   for (std::size_t r = 0; r < from.size(); ++r) layout.unpack(from[r], particles, from_[r]);
-}
-
-Particles Distribution::gather(const Particles& particles) const {
-  const PackedLayout layout(particles);
-  auto to = for_each_rank();
-  layout.pack(particles, owned_in(particles), to.front());
-  auto whole = layout.build(particles, joined(exchange_words(to)));
-  whole.release(Field::owner);
-  whole.release(Field::sequence);
-  return whole;
 }
 
 }  // namespace tektite

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "core/particles.hpp"
@@ -16,9 +17,8 @@ namespace tektite {
 
 class Distribution {
  public:
-  /// Of particles that the first rank alone has; the others know their bodies and fields. Images behind planes of
-  /// `symmetry` are near, too.
-  Distribution(Particles& particles, std::vector<SymmetryPlane> symmetry);
+  /// Images behind planes of `symmetry` are near, too.
+  explicit Distribution(std::vector<SymmetryPlane> symmetry) : symmetry_(std::move(symmetry)) {}
 
   /// Gives each rank its own particles and copies of those in its halos. The owners change where that is worth it, or
   /// at the first time.
@@ -27,8 +27,8 @@ class Distribution {
   void refresh(Particles& particles);
   /// One field of them.
   void refresh(Particles& particles, Field field);
-  /// All particles on the first rank, as a single process has them; none elsewhere.
-  Particles gather(const Particles& particles) const;
+  /// What this rank owns, with copies of those in other halos.
+  Particles with_copies(const Particles& particles, const Halos& halos) const;
 
   /// So many seconds this rank has computed a step: by these costs particles are dealt.
   void note_step(double seconds) { seconds_ += seconds, ++steps_; }
@@ -37,6 +37,9 @@ class Distribution {
   using Clock = std::chrono::steady_clock;
   bool worth_it(const Particles& particles);
   std::vector<int> new_owners(const Particles& particles, Field places, const std::vector<std::uint32_t>& own) const;
+  /// Who has been sent to each rank, a byte for each of the own particles.
+  using Sent = std::vector<std::vector<std::uint8_t>>;
+  Particles with_copies(const Particles& particles, const Halos& halos, Sent& sent) const;
   void move(Particles& particles, Field places);
   void fetch_copies(Particles& particles, const Halos& halos);
   void refresh(Particles& particles, const PackedLayout& layout);
@@ -51,5 +54,8 @@ class Distribution {
   double moving_ = 0.0;      ///< seconds that a change of owners takes
   std::vector<std::vector<std::uint32_t>> to_, from_;  ///< who is sent to each rank, and who comes from it
 };
+
+/// The least and the most particles that a rank owns.
+std::pair<std::size_t, std::size_t> least_and_most_owned(const Particles& particles);
 
 }  // namespace tektite

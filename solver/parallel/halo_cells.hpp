@@ -79,11 +79,9 @@ class HaloCells {
     }
     return cell;
   }
-  /// The key of the cell that a particle is in.
-  Word of(std::size_t i) const {
-    const auto numbers = cell(i);
+  Word key_of(const HaloCell& cell) const {
     Word key = 0;
-    for (std::size_t k = 0; k < dimensions_; ++k) key |= (static_cast<Word>(numbers[k]) & mask) << (bits * k);
+    for (std::size_t k = 0; k < dimensions_; ++k) key |= (static_cast<Word>(cell[k]) & mask) << (bits * k);
     return key;
   }
   /// Whether one of those cells is this one or touches it.

@@ -147,6 +147,7 @@ void exchange_words(const std::vector<Words>& to, std::vector<Words>& from) {
 }
 
 std::vector<Words> gather_on_all(const Words& own) {
+  if (all_ranks == 1) return {own};
   std::vector<int> counts(static_cast<std::size_t>(all_ranks)), offsets;
   const int count = count_of(own);
   const Talk talk(others(), own.size() * sizeof(Word));
@@ -167,6 +168,7 @@ std::vector<Words> gather_on_all(const Words& own) {
 }
 
 Words from_first_rank(const Words& own) {
+  if (all_ranks == 1) return own;
   Words words = own;
   auto count = static_cast<Word>(own.size());
   const Talk talk(this_rank == 0 ? others() : 0, own.size() * sizeof(Word));

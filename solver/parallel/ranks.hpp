@@ -49,6 +49,9 @@ class Owned {
 /// combine(part, whole, count) joins `count` values of another rank to those here: whole = whole and part. To be the
 /// same in any order.
 using Combine = std::function<void(const void* part, void* whole, std::size_t count)>;
+/// Joins what is true of any.
+inline constexpr auto either = [](bool& whole, bool part) { whole = whole || part; };
+
 /// Gives every rank the values of all, joined; `size` is that of one in bytes.
 void combine_over_ranks(void* values, std::size_t count, std::size_t size, const Combine& combine);
 

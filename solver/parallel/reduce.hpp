@@ -40,4 +40,33 @@ Value reduce(const Particles& particles, const Value& start, const Body& body, c
   return over_ranks(particles, reduce(particles.count(), start, body, join), join);
 }
 
+/// The same over those of a range, such as a body's.
+template <class Value, class Body, class Join>
+Value reduce(const Particles& particles, const Range& range, const Value& start, const Body& body, const Join& join) {
+  const auto shifted = [&](Value& value, std::size_t n) { body(value, range.begin + n); };
+  return over_ranks(particles, reduce(range.size(), start, shifted, join), join);
+}
+
+/// Whether tell(i) for any particle of a range, on any rank.
+template <class Tell>
+bool any_over(const Particles& particles, const Range& range, const Tell& tell) {
+  return reduce(
+      particles, range, false, [&](bool& any, std::size_t i) { any = any || tell(i); }, either);
+}
+
+/// For how many particles of a range tell(i), on all ranks, each counted once.
+template <class Tell>
+std::size_t count_over(const Particles& particles, const Range& range, const Tell& tell) {
+  return reduce(
+      particles, range, std::size_t{0},
+      [&, counts = Owned(particles)](std::size_t& count, std::size_t i) { count += counts(i) && tell(i) ? 1 : 0; },
+      [](std::size_t& whole, std::size_t part) { whole += part; });
+}
+
+/// How many particles a body has on all ranks.
+inline std::size_t size_of(const Particles& particles, const Body& body) {
+  if (!distributed(particles)) return body.range.size();
+  return count_over(particles, body.range, [](std::size_t) { return true; });
+}
+
 }  // namespace tektite

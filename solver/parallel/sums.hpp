@@ -12,13 +12,14 @@
 
 namespace tektite {
 
-/// Σ terms(i), arrays of N numbers, over the particles; of those that are distributed over the ranks, each once.
+/// Σ terms(i), arrays of N numbers, over the particles of a range; of those that are distributed over the ranks, each
+/// once.
 template <std::size_t N, class Terms>
-std::array<double, N> sum_over(const Particles& particles, const Terms& terms) {
+std::array<double, N> sum_over(const Particles& particles, const Range& range, const Terms& terms) {
   using Numbers = std::array<double, N>;
   const Owned counts(particles);
   const auto most = reduce(
-      particles, Numbers{},
+      particles, range, Numbers{},
       [&](Numbers& so_far, std::size_t i) {
         if (!counts(i)) return;
         const Numbers term = terms(i);
@@ -46,7 +47,7 @@ std::array<double, N> sum_over(const Particles& particles, const Terms& terms) {
     Numbers high{}, low{};
   };
   const auto sums = reduce(
-      particles, Parts{},
+      particles, range, Parts{},
       [&](Parts& so_far, std::size_t i) {
         if (!counts(i)) return;
         const Numbers term = terms(i);
@@ -66,6 +67,12 @@ std::array<double, N> sum_over(const Particles& particles, const Terms& terms) {
   Numbers sum;
   for (std::size_t k = 0; k < N; ++k) sum[k] = sums.high[k] + sums.low[k];
   return sum;
+}
+
+/// The same over all particles.
+template <std::size_t N, class Terms>
+std::array<double, N> sum_over(const Particles& particles, const Terms& terms) {
+  return sum_over<N>(particles, {0, particles.count()}, terms);
 }
 
 }  // namespace tektite

@@ -30,7 +30,6 @@ bool body_contact(const PairList& list, const Particles& particles, const std::v
       }
     }
   };
-  const auto either = [](bool& whole, bool part) { whole = whole || part; };
   return over_ranks(particles, reduce(list.blocks().size(), false, touches, either), either);
 }
 

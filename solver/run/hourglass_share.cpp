@@ -3,7 +3,8 @@
 #include "core/tensor_algebra.hpp"
 #include "core/tensor_product.hpp"
 #include "neighbours/cell_grid.hpp"
-#include "parallel/reduce.hpp"
+#include "parallel/for_each.hpp"
+#include "parallel/sums.hpp"
 #include "run/lagrangian.hpp"
 
 namespace tektite {
@@ -18,9 +19,8 @@ constexpr double flat = 1e-3;
 /// Square of a strain that is round-off of places: a body that flies far does not deform by it.
 constexpr double round_off = 1e-18;
 
-struct Energies {
-  double unseen = 0.0, seen = 0.0;  ///< J
-};
+/// Not seen and seen by the kernels, J.
+using Energies = std::array<double, 2>;
 
 template <int D>
 class Bonds {
@@ -40,13 +40,10 @@ class Bonds {
     if (!reference_.empty()) grid_.build(reference_, longest_);
   }
 
-  Energies sum() const {
-    return reduce(
-        members_.size(), Energies{}, [this](Energies& part, std::size_t n) { add(part, n); },
-        [](Energies& whole, const Energies& part) {
-          whole.unseen += part.unseen;
-          whole.seen += part.seen;
-        });
+  Energies sum(const Range& range) const {
+    std::vector<Energies> energies(range.size(), Energies{});
+    for_each(members_.size(), [&](std::size_t n) { energies[members_[n] - range.begin] = energies_of(n); });
+    return sum_over<2>(particles_, range, [&](std::size_t i) { return energies[i - range.begin]; });
   }
 
  private:
@@ -85,15 +82,15 @@ class Bonds {
     return mismatch > round_off ? mismatch : 0.0;
   }
 
-  void add(Energies& energies, std::size_t n) const {
+  Energies energies_of(std::size_t n) const {
     const auto i = members_[n];
     const double mass = particles_.scalars(Field::mass)[i], volume = mass / particles_.scalars(Field::density)[i];
     const double pressure = particles_.scalars(Field::pressure)[i];
     const auto& s = particles_.symmetrics<D>(Field::deviatoric_stress)[i];
-    energies.unseen += volume * shear_modulus_ * mismatch(n);
-    energies.seen += volume * (0.5 * pressure * pressure / bulk_modulus_ + 0.25 * contract(s, s) / shear_modulus_);
+    double seen = volume * (0.5 * pressure * pressure / bulk_modulus_ + 0.25 * contract(s, s) / shear_modulus_);
     for (const auto* work : {optional(Field::plastic_work), optional(Field::viscous_work)})
-      if (work) energies.seen += mass * work[i];
+      if (work) seen += mass * work[i];
+    return {volume * shear_modulus_ * mismatch(n), seen};
   }
 
   const Particles& particles_;
@@ -105,8 +102,8 @@ class Bonds {
 
 template <int D>
 double share_in(const Particles& particles, const Body& body, double shear_modulus, double bulk_modulus) {
-  const auto energies = Bonds<D>(particles, body, shear_modulus, bulk_modulus).sum();
-  return energies.unseen > 0.0 ? energies.unseen / (energies.unseen + energies.seen) : 0.0;
+  const auto [unseen, seen] = Bonds<D>(particles, body, shear_modulus, bulk_modulus).sum(body.range);
+  return unseen > 0.0 ? unseen / (unseen + seen) : 0.0;
 }
 
 }  // namespace

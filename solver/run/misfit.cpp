@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "neighbours/cell_grid.hpp"
-#include "parallel/reduce.hpp"
+#include "parallel/for_each.hpp"
+#include "parallel/sums.hpp"
 #include "physics/kernels/kernel.hpp"
 #include "run/lagrangian.hpp"
 #include "run/particle_room.hpp"
@@ -16,7 +17,8 @@ namespace {
 /// Of the smoothing length: how far the mean place of the neighbours may be from a particle that is surrounded.
 constexpr double aside = 0.05;
 
-struct Count {
+/// What is found of all that count.
+struct Found {
   std::size_t misfits = 0, untouched = 0;
   double sum = 0.0;  ///< Σ V W of the misfits
 };
@@ -38,18 +40,23 @@ class Surroundings {
     if (!x_.empty()) grid_.build(x_, CubicSpline::support * longest);
   }
 
-  Count count() const {
-    return reduce(
-        members_.size(), Count{}, [this](Count& part, std::size_t n) { add(part, n); },
-        [](Count& whole, const Count& part) {
-          whole.misfits += part.misfits;
-          whole.untouched += part.untouched;
-          whole.sum += part.sum;
-        });
+  Found find(const Range& range) const {
+    std::vector<Look> looks(range.size());
+    for_each(members_.size(), [&](std::size_t n) { looks[members_[n] - range.begin] = look(n); });
+    const auto seen = [&](std::size_t i) { return looks[i - range.begin]; };
+    return {count_over(particles_, range, [&](std::size_t i) { return seen(i).misfit; }),
+            count_over(particles_, range, [&](std::size_t i) { return seen(i).untouched; }),
+            sum_over<1>(particles_, range, [&](std::size_t i) { return std::array{seen(i).sum}; })[0]};
   }
 
  private:
-  void add(Count& count, std::size_t n) const {
+  /// What is seen of one.
+  struct Look {
+    bool misfit = false, untouched = false;
+    double sum = 0.0;  ///< Σ V W of a misfit
+  };
+
+  Look look(std::size_t n) const {
     const double h = particles_.scalars(Field::smoothing_length)[members_[n]];
     double sum = 0.0;
     std::size_t neighbours = 0;
@@ -62,11 +69,10 @@ class Surroundings {
         neighbours += m != n && part > 0.0 ? 1 : 0;
         offset += part * apart;
       }
-    if (neighbours == 0 && particles_.scalars(Field::pressure)[members_[n]] > 0.0) ++count.untouched;
+    const bool untouched = neighbours == 0 && particles_.scalars(Field::pressure)[members_[n]] > 0.0;
     const bool near = std::pow(room_[n], 1.0 / D) < h;
-    if (!near || norm(offset) > aside * h || std::abs(sum - 1.0) < density_misfit) return;
-    ++count.misfits;
-    count.sum += sum;
+    const bool misfit = near && norm(offset) <= aside * h && !(std::abs(sum - 1.0) < density_misfit);
+    return {misfit, untouched, misfit ? sum : 0.0};
   }
 
   const Particles& particles_;
@@ -76,19 +82,19 @@ class Surroundings {
   CellGrid<D> grid_;
 };
 
-Count count_in(const Particles& particles, const Body& body) {
-  return particles.dimensions() == 1   ? Surroundings<1>(particles, body).count()
-         : particles.dimensions() == 2 ? Surroundings<2>(particles, body).count()
-                                       : Surroundings<3>(particles, body).count();
+Found found_in(const Particles& particles, const Body& body) {
+  return particles.dimensions() == 1   ? Surroundings<1>(particles, body).find(body.range)
+         : particles.dimensions() == 2 ? Surroundings<2>(particles, body).find(body.range)
+                                       : Surroundings<3>(particles, body).find(body.range);
 }
 
 }  // namespace
 
 Misfit misfit(const Particles& particles, const Body& body) {
-  const auto count = count_in(particles, body);
-  if (count.misfits == 0 && count.untouched == 0) return {};
-  const auto all = static_cast<double>(body.range.size()), misfits = static_cast<double>(count.misfits);
-  return {misfits / all, count.misfits == 0 ? 1.0 : count.sum / misfits, static_cast<double>(count.untouched) / all};
+  const auto found = found_in(particles, body);
+  if (found.misfits == 0 && found.untouched == 0) return {};
+  const auto all = static_cast<double>(size_of(particles, body)), misfits = static_cast<double>(found.misfits);
+  return {misfits / all, found.misfits == 0 ? 1.0 : found.sum / misfits, static_cast<double>(found.untouched) / all};
 }
 
 }  // namespace tektite

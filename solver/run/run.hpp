@@ -1,7 +1,6 @@
 #pragma once
 // A run: from particles to snapshots, history and summary.
 
-#include <optional>
 #include <string>
 
 namespace tektite {
@@ -18,14 +17,5 @@ struct RunOptions {
 /// Computes the run to its end. False where it was interrupted (SIGINT, SIGTERM): a snapshot was written and the run
 /// can be resumed. Throws InputError, or RunError where the computation fails.
 bool run(const RunOptions& options);
-
-struct CheckOptions {
-  std::string particles;              ///< a file of initial particles
-  std::optional<std::string> advice;  ///< the file for the settings that would reduce the scene; none: no advice
-  int threads = 0;                    ///< 0: as many as there are
-};
-
-/// Says what a run of these particles would do and cost, and where asked what could be saved; computes a few steps.
-void check(const CheckOptions& options);
 
 }  // namespace tektite

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/plain_name.hpp"
+#include "parallel/reduce.hpp"
 
 namespace tektite {
 namespace {
@@ -130,13 +131,16 @@ void check_anvil(Document& document, const RunSettings& settings, const Particle
   const auto& [axis, at, side] = *settings.scheme.anvil;
   const auto position = particles.reals(Field::position);
   const auto width = static_cast<std::size_t>(particles.dimensions());
-  for (const auto& body : particles.bodies())
-    for (std::size_t i = body.range.begin; i < body.range.end; ++i)
-      if (side * (position[i * width + static_cast<std::size_t>(axis)] - at) < -misfit * body.spacing)
-        throw document.root().section("anvil").fault(
-            "at",
-            fmt::format("the body {} starts behind the anvil, which would move its particles onto itself", body.name),
-            "bodies on the side that `keep` tells");
+  for (const auto& body : particles.bodies()) {
+    const auto behind = [&, axis = static_cast<std::size_t>(axis), at = at, side = side](std::size_t i) {
+      return side * (position[i * width + axis] - at) < -misfit * body.spacing;
+    };
+    if (any_over(particles, body.range, behind))
+      throw document.root().section("anvil").fault(
+          "at",
+          fmt::format("the body {} starts behind the anvil, which would move its particles onto itself", body.name),
+          "bodies on the side that `keep` tells");
+  }
 }
 
 void check_probes(Document& document, const RunSettings& settings, const Particles& particles) {
@@ -150,9 +154,9 @@ void check_probes(Document& document, const RunSettings& settings, const Particl
   for (const auto& probe : settings.probes)
     for (const auto& body : particles.bodies()) {
       if (body.name != probe.body || probe.shown != Shown::particle) continue;
-      bool inside = false;
-      for (std::size_t i = body.range.begin; i < body.range.end && !inside; ++i)
-        inside = square_distance(probe, i) <= body.spacing * body.spacing;
+      const bool inside = any_over(particles, body.range, [&](std::size_t i) {
+        return square_distance(probe, i) <= body.spacing * body.spacing;
+      });
       if (!inside)
         throw document.root()
             .section("probe")

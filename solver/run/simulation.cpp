@@ -11,9 +11,11 @@
 #include "boundary/walls.hpp"
 #include "core/saved_number.hpp"
 #include "output/progress.hpp"
+#include "parallel/agreed.hpp"
 #include "parallel/reduce.hpp"
 #include "parallel/sums.hpp"
 #include "run/angular_momentum.hpp"
+#include "schemes/state_sums.hpp"
 
 namespace tektite {
 namespace {
@@ -33,17 +35,8 @@ constexpr double runaway = 10.0;
 
 bool any_clamped(const Particles& particles) {
   if (!particles.has(Field::clamped)) return false;
-  return reduce(
-      particles, false,
-      [clamped = particles.integers(Field::clamped)](bool& any, std::size_t i) { any = any || clamped[i] != 0; },
-      [](bool& whole, bool part) { whole = whole || part; });
-}
-
-/// Of what several ranks have to say, which is mostly nothing.
-std::string text_of_all(const std::string& own) {
-  std::string text;
-  for (const auto& words : gather_on_all({own.begin(), own.end()})) text.append(words.begin(), words.end());
-  return text;
+  return any_over(particles, {0, particles.count()},
+                  [clamped = particles.integers(Field::clamped)](std::size_t i) { return clamped[i] != 0; });
 }
 
 }  // namespace
@@ -52,7 +45,7 @@ Simulation::Simulation(Snapshot snapshot, RunSettings settings, bool resumed)
     : snapshot_(std::move(snapshot)), settings_(std::move(settings)) {
   auto& state = snapshot_.state;
   time_ = saved_number(state, "time");
-  if (ranks() > 1) distribution_.emplace(snapshot_.particles, settings_.scene.symmetry);
+  if (ranks() > 1) distribution_.emplace(settings_.scene.symmetry);
   build_scheme();
   if (distribution_) deal(resumed ? state : std::map<std::string, double>());
   clamped_ = any_clamped(particles());
@@ -183,7 +176,6 @@ std::string Simulation::told_by_owner(std::int64_t particle, const What& what) c
 }
 
 void Simulation::step() {
-  announce(Work::step);
   {
     const auto scope = profile_.time("time step");
     last_ = choose_step();
@@ -278,7 +270,7 @@ std::optional<double> Simulation::angular_momentum_drift() const {
     square = square.value_or(0.0) + change * change;
   }
   if (!square) return std::nullopt;
-  const double scale = std::max(largest_angular_momentum_, largest_angular_momentum());
+  const double scale = std::max(largest_angular_momentum_, largest_angular_momentum_of(particles()));
   return scale == 0.0 ? 0.0 : std::sqrt(*square) / scale;
 }
 
@@ -316,93 +308,18 @@ const Snapshot& Simulation::save(const std::map<std::string, double>& others) {
     state[fmt::format("initial_angular_momentum_{}", "xyz"[axes[k]])] = initial_angular_momentum_[k];
   state["largest_angular_momentum"] = largest_angular_momentum_;
   scheme_->save(state);
-  if (!distribution_) return snapshot_;
-  whole();
-  whole_.state = state;
-  whole_.scene = snapshot_.scene;
-  return whole_;
+  return snapshot_;
 }
 
-const Particles& Simulation::whole() {
-  if (!distribution_) return particles();
-  if (gathered_ != steps_) {
-    announce(Work::gather);
-    whole_.particles = distribution_->gather(particles());
-    gathered_ = steps_;
-  }
-  return whole_.particles;
+void Simulation::look(const std::function<void(const Particles&)>& look) const {
+  if (!distribution_) return look(particles());
+  double width = 2.0 * smoothing_range(particles()).second;
+  for (const auto& body : particles().bodies()) width = std::max(width, 2.0 * body.spacing);
+  Halos halos{{width, Field::position}};
+  if (particles().has(Field::reference_position)) halos.push_back({width, Field::reference_position});
+  look(distribution_->with_copies(particles(), halos));
 }
 
-Ledger Simulation::ledger() const {
-  announce(Work::ledger);
-  return scheme_->ledger();
-}
-
-std::vector<double> Simulation::angular_momentum() const {
-  announce(Work::turning);
-  return angular_momentum_of(particles());
-}
-
-double Simulation::largest_angular_momentum() const {
-  announce(Work::largest_turning);
-  return largest_angular_momentum_of(particles());
-}
-
-std::string Simulation::remark() const {
-  announce(Work::remark);
-  return scheme_->remark();
-}
-
-std::vector<Warning> Simulation::warnings() const {
-  announce(Work::warnings);
-  return scheme_->warnings();
-}
-
-void Simulation::announce(Work work) const {
-  if (distribution_ && rank() == 0) from_first_rank({static_cast<Word>(work)});
-}
-
-void Simulation::dismiss() {
-  announce(Work::end);
-  dismiss_ranks();
-}
-
-void Simulation::follow() {
-  for (;;) {
-    const auto work = static_cast<Work>(from_first_rank({}).front());
-    if (work == Work::end) return dismiss_ranks();
-    try {
-      take_part(work);
-    } catch (const RunError&) {  // all ranks come to it, and the first one tells it
-    }
-  }
-}
-
-void Simulation::take_part(Work work) {
-  switch (work) {
-    case Work::step:
-      return step();
-    case Work::gather:
-      distribution_->gather(particles());
-      return;
-    case Work::ledger:
-      ledger();
-      return;
-    case Work::turning:
-      angular_momentum();
-      return;
-    case Work::largest_turning:
-      largest_angular_momentum();
-      return;
-    case Work::remark:
-      remark();
-      return;
-    case Work::warnings:
-      warnings();
-      return;
-    case Work::end:
-      return;
-  }
-}
+std::vector<double> Simulation::angular_momentum() const { return angular_momentum_of(particles()); }
 
 }  // namespace tektite

@@ -1,6 +1,7 @@
 #pragma once
 // The state of a run, and one step of it: which step is taken, why, and when a state is no longer sane.
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -15,14 +16,11 @@ namespace tektite {
 
 class Simulation {
  public:
-  /// From initial particles, or from a snapshot that a run left: `resumed` tells which. Of several ranks the first one
-  /// has the particles, and the others what share_snapshot() gave them.
+  /// From initial particles, or from a snapshot that a run left: `resumed` tells which. Of several ranks each has a
+  /// part of the particles (snapshot_on_ranks.hpp), and calls the same of all that stands below.
   Simulation(Snapshot snapshot, RunSettings settings, bool resumed);
-
-  /// What every rank but the first does: its part of all that is asked of the first one's simulation, until that is
-  /// dismissed.
-  void follow();
-  void dismiss();
+  Simulation(const Simulation&) = delete;  // its scheme knows its place
+  Simulation& operator=(const Simulation&) = delete;
 
   /// One step. Throws RunError where the state is not sane or the time step collapses.
   void step();
@@ -49,31 +47,23 @@ class Simulation {
 
   /// Those of this rank.
   const Particles& particles() const { return snapshot_.particles; }
-  /// All of them; on the first rank alone.
-  const Particles& whole();
+  /// look(particles) with those of this rank and copies of all others that it may take for their neighbours.
+  void look(const std::function<void(const Particles&)>& look) const;
   std::size_t count() const { return count_of_all(snapshot_.particles); }
   const RunSettings& settings() const { return settings_; }
   const Scheme& scheme() const { return *scheme_; }
-  Ledger ledger() const;
+  Ledger ledger() const { return scheme_->ledger(); }
   std::vector<double> angular_momentum() const;
-  /// What the scheme knows of itself and a user should.
-  std::string remark() const;
-  std::vector<Warning> warnings() const;
   const Profile& profile() const { return profile_; }
 
   /// Keeps what the energies of a line of the history tell the drift. Throws RunError where they have run away.
   void note(const Ledger& line);
 
-  /// The state as it can be saved; `state` takes what others want to keep.
+  /// The state as it can be saved, of several ranks each with its own particles; `state` takes what others want to
+  /// keep.
   const Snapshot& save(const std::map<std::string, double>& state);
 
  private:
-  /// What the first rank lets the others do.
-  enum class Work : Word { step, gather, ledger, turning, largest_turning, remark, warnings, end };
-  void announce(Work work) const;
-  void take_part(Work work);
-  double largest_angular_momentum() const;
-
   void build_scheme();
   void restore(const std::map<std::string, double>& state);
   void note_start();
@@ -96,8 +86,6 @@ class Simulation {
 
   Snapshot snapshot_;
   std::optional<Distribution> distribution_;  ///< over several ranks
-  Snapshot whole_;                            ///< with the particles of all ranks, as of the step `gathered_`
-  std::int64_t gathered_ = -1;
   bool clamped_ = false;
   RunSettings settings_;
   Profile profile_;

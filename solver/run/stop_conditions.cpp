@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "core/body_mean.hpp"
 #include "core/plain_name.hpp"
 #include "core/saved_number.hpp"
+#include "parallel/body_mean.hpp"
 
 namespace tektite {
 namespace {
@@ -43,6 +43,10 @@ Place relative_mean(const StopCondition& condition, const Particles& particles, 
 struct Extent {
   double least = std::numeric_limits<double>::infinity();
   double most = -std::numeric_limits<double>::infinity();
+
+  static void join(Extent& whole, const Extent& part) {
+    whole = {std::min(whole.least, part.least), std::max(whole.most, part.most)};
+  }
 };
 
 /// Of the cells of a body along a direction, from its centre.
@@ -50,12 +54,14 @@ Extent extent_along(const Particles& particles, const Body& body, const Place& d
   const auto width = static_cast<std::size_t>(particles.dimensions());
   const auto position = particles.reals(Field::position);
   const double centre = dot(mean_over(particles, body, Field::position), direction);
-  Extent extent;
-  for (std::size_t i = body.range.begin; i < body.range.end; ++i) {
-    double place = -centre;
-    for (std::size_t k = 0; k < width; ++k) place += position[i * width + k] * direction[k];
-    extent = {std::min(extent.least, place), std::max(extent.most, place)};
-  }
+  const auto extent = reduce(
+      particles, body.range, Extent{},
+      [&](Extent& so_far, std::size_t i) {
+        double place = -centre;
+        for (std::size_t k = 0; k < width; ++k) place += position[i * width + k] * direction[k];
+        Extent::join(so_far, {place, place});
+      },
+      Extent::join);
   return {extent.least - 0.5 * body.spacing, extent.most + 0.5 * body.spacing};
 }
 

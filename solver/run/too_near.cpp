@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "neighbours/cell_grid.hpp"
+#include "parallel/reduce.hpp"
 #include "run/lagrangian.hpp"
 #include "run/particle_room.hpp"
 
@@ -25,23 +26,28 @@ struct Crowd {
   }
 };
 
-/// How many of those that asks(i) have one too near with which i meets(i, j).
+/// How many of those that asks(i), on all ranks, have one too near with which i meets(i, j).
 template <int D, class Asks, class Meets>
-std::size_t count_too_near(const Crowd<D>& crowd, const Asks& asks, const Meets& meets) {
-  if (crowd.members.empty()) return 0;
+std::size_t count_too_near(const Particles& particles, const Crowd<D>& crowd, const Asks& asks, const Meets& meets) {
   CellGrid<D> grid;
-  grid.build(crowd.x, *std::ranges::max_element(crowd.near));
-  std::size_t count = 0;
-  for (std::size_t n = 0; n < crowd.x.size(); ++n) {
-    if (!asks(crowd.members[n])) continue;
-    bool found = false;
+  if (!crowd.members.empty()) grid.build(crowd.x, *std::ranges::max_element(crowd.near));
+  const auto too_near = [&](std::size_t n) {
     for (const auto cell : grid.around(grid.cell_of(crowd.x[n])))
       for (const auto m : grid.members(cell))
-        found = found || (m != n && norm(crowd.x[m] - crowd.x[n]) < std::min(crowd.near[m], crowd.near[n]) &&
-                          meets(crowd.members[n], crowd.members[m]));
-    count += found ? 1 : 0;
-  }
-  return count;
+        if (m != n && norm(crowd.x[m] - crowd.x[n]) < std::min(crowd.near[m], crowd.near[n]) &&
+            meets(crowd.members[n], crowd.members[m]))
+          return true;
+    return false;
+  };
+  const auto add = [](std::size_t& whole, std::size_t part) { whole += part; };
+  const auto own = reduce(
+      crowd.x.size(), std::size_t{0},
+      [&, counts = Owned(particles)](std::size_t& count, std::size_t n) {
+        const auto i = crowd.members[n];
+        count += counts(i) && asks(i) && too_near(n) ? 1 : 0;
+      },
+      add);
+  return over_ranks(particles, own, add);
 }
 
 template <int D>
@@ -50,7 +56,7 @@ std::size_t count_clumped(const Particles& particles, const Body& body) {
   for (auto i = body.range.begin; i < body.range.end; ++i)
     if (!is_lagrangian(particles, i)) crowd.add(particles, body, i);
   return count_too_near(
-      crowd, [](std::size_t) { return true; }, [](std::size_t, std::size_t) { return true; });
+      particles, crowd, [](std::size_t) { return true; }, [](std::size_t, std::size_t) { return true; });
 }
 
 template <int D>
@@ -60,7 +66,7 @@ std::size_t count_interpenetrated(const Particles& particles, const Body& own) {
   Crowd<D> crowd;
   for (const auto& body : particles.bodies())
     for (auto i = body.range.begin; i < body.range.end; ++i) crowd.add(particles, body, i);
-  return count_too_near(crowd, within, [&](std::size_t i, std::size_t j) {
+  return count_too_near(particles, crowd, within, [&](std::size_t i, std::size_t j) {
     if (!within(j)) return true;
     if (!is_lagrangian(particles, i) || !is_lagrangian(particles, j)) return false;
     const auto* places = particles.vectors<D>(Field::reference_position);
@@ -68,8 +74,9 @@ std::size_t count_interpenetrated(const Particles& particles, const Body& own) {
   });
 }
 
-double part_of(std::size_t count, const Body& body) {
-  return body.range.size() == 0 ? 0.0 : static_cast<double>(count) / static_cast<double>(body.range.size());
+double part_of(std::size_t count, const Particles& particles, const Body& body) {
+  const auto all = size_of(particles, body);
+  return all == 0 ? 0.0 : static_cast<double>(count) / static_cast<double>(all);
 }
 
 }  // namespace
@@ -78,25 +85,25 @@ double clumped_part(const Particles& particles, const Body& body) {
   const auto count = particles.dimensions() == 1   ? count_clumped<1>(particles, body)
                      : particles.dimensions() == 2 ? count_clumped<2>(particles, body)
                                                    : count_clumped<3>(particles, body);
-  return part_of(count, body);
+  return part_of(count, particles, body);
 }
 
 double interpenetrated_part(const Particles& particles, const Body& body) {
   const auto count = particles.dimensions() == 1   ? count_interpenetrated<1>(particles, body)
                      : particles.dimensions() == 2 ? count_interpenetrated<2>(particles, body)
                                                    : count_interpenetrated<3>(particles, body);
-  return part_of(count, body);
+  return part_of(count, particles, body);
 }
 
 double beyond_planes_part(const Particles& particles, const Body& body, std::span<const SymmetryPlane> planes) {
   const auto d = static_cast<std::size_t>(particles.dimensions());
   const auto position = particles.reals(Field::position);
-  std::size_t count = 0;
-  for (auto i = body.range.begin; i < body.range.end; ++i)
-    count += std::ranges::any_of(planes, [&](const SymmetryPlane& plane) {
+  const auto count = count_over(particles, body.range, [&](std::size_t i) {
+    return std::ranges::any_of(planes, [&](const SymmetryPlane& plane) {
       return plane.side * (position[d * i + static_cast<std::size_t>(plane.axis)] - plane.at) < 0.0;
     });
-  return part_of(count, body);
+  });
+  return part_of(count, particles, body);
 }
 
 }  // namespace tektite

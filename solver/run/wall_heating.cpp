@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "parallel/reduce.hpp"
+#include "parallel/sums.hpp"
 #include "run/particle_room.hpp"
 
 namespace tektite {
@@ -11,14 +14,20 @@ namespace {
 constexpr double even = 0.05;  // how far two layers inside may differ, that neither a shock nor a slope lies there
 constexpr double at_wall = 3.0, away = 15.0, further = 20.0, too_far = 25.0;  // in spacings at the wall
 
+/// The particle that is nearest to a wall, of several the one of the least id.
+struct Nearest {
+  double distance = std::numeric_limits<double>::infinity();
+  std::int64_t id = 0;
+  double spacing = 0.0;
+
+  static void join(Nearest& whole, const Nearest& part) {
+    if (part.distance < whole.distance || (part.distance == whole.distance && part.id < whole.id)) whole = part;
+  }
+};
+
 /// What a layer of particles holds.
 struct Layer {
-  double mass = 0.0, energy = 0.0;
-
-  void add(const Particles& particles, std::size_t i) {
-    mass += particles.scalars(Field::mass)[i];
-    energy += particles.scalars(Field::mass)[i] * particles.scalars(Field::specific_internal_energy)[i];
-  }
+  double mass, energy;
   double mean() const { return energy / mass; }
 };
 
@@ -27,19 +36,25 @@ double heat_at(const Particles& particles, const Body& body, const SymmetryPlane
   const auto distance = [&](std::size_t i) {
     return std::abs(particles.reals(Field::position)[d * i + static_cast<std::size_t>(plane.axis)] - plane.at);
   };
-  if (body.range.size() == 0) return 1.0;
-  std::size_t first = body.range.begin;
-  for (auto i = body.range.begin; i < body.range.end; ++i)
-    if (distance(i) < distance(first)) first = i;
-  const double here = spacing_of(particles, body, first);
-  if (distance(first) > here) return 1.0;
-  Layer wall, inner, outer;
-  for (auto i = body.range.begin; i < body.range.end; ++i) {
-    const double spacings = distance(i) / here;
-    if (spacings < at_wall) wall.add(particles, i);
-    if (spacings > away && spacings < further) inner.add(particles, i);
-    if (spacings > further && spacings < too_far) outer.add(particles, i);
-  }
+  const auto nearest = reduce(
+      particles, body.range, Nearest{},
+      [&, id = particles.integers(Field::id)](Nearest& so_far, std::size_t i) {
+        if (distance(i) <= so_far.distance) Nearest::join(so_far, {distance(i), id[i], spacing_of(particles, body, i)});
+      },
+      Nearest::join);
+  if (!(nearest.distance <= nearest.spacing)) return 1.0;
+  const auto sums = sum_over<6>(
+      particles, body.range,
+      [&, m = particles.scalars(Field::mass), e = particles.scalars(Field::specific_internal_energy)](std::size_t i) {
+        const double spacings = distance(i) / nearest.spacing;
+        std::array<double, 6> terms{};
+        const auto take = [&](std::size_t layer) { terms[2 * layer] = m[i], terms[2 * layer + 1] = m[i] * e[i]; };
+        if (spacings < at_wall) take(0);
+        if (spacings > away && spacings < further) take(1);
+        if (spacings > further && spacings < too_far) take(2);
+        return terms;
+      });
+  const Layer wall{sums[0], sums[1]}, inner{sums[2], sums[3]}, outer{sums[4], sums[5]};
   if (!(inner.energy > 0.0 && outer.energy > 0.0)) return 1.0;
   if (std::abs(inner.mean() - outer.mean()) > even * outer.mean()) return 1.0;
   return wall.mean() / inner.mean();

@@ -11,6 +11,7 @@
 #include "core/kernel_type.hpp"
 #include "neighbours/pair_list.hpp"
 #include "parallel/for_each.hpp"
+#include "parallel/ranks.hpp"
 #include "passes/conversion.hpp"
 #include "passes/lagrangian_records.hpp"
 #include "schemes/adaptle_settings.hpp"
@@ -41,7 +42,7 @@ class Converter {
       marked_[i] = reference[i].lagrangian != 0.0 ? reached(i) : !describes(deformation[i], stress[i].jacobian);
     });
     bool any = false;
-    for (bool more = any_marked(particles); more; more = any_marked(particles)) {
+    while (any_in(particles, marked_)) {
       any = turn_marked(particles, pairs, mirror) || any;
       for_each(marked_.size(), [&](std::size_t i) { marked_[i] = turned_[i] && reference[i].volume == 0.0; });
     }
@@ -50,10 +51,8 @@ class Converter {
 
  private:
   /// Of all ranks.
-  bool any_marked(const Particles& particles) const { return any_in(particles, marked_); }
   static bool any_in(const Particles& particles, const std::vector<std::uint8_t>& marks) {
-    const bool any = std::ranges::find(marks, 1) != marks.end();
-    return over_ranks(particles, any, [](bool& whole, bool part) { whole = whole || part; });
+    return over_ranks(particles, std::ranges::find(marks, 1) != marks.end(), either);
   }
 
   /// Turns those that are marked, with their neighbours, and notes whom. A rank knows of its own particles and their

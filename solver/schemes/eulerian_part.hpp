@@ -93,10 +93,7 @@ class EulerianPart {
  private:
   void note() {
     eulerian_ = eulerian_of_each(particles_);
-    const Owned owned(particles_);
-    const auto tell = [&](std::size_t& number, std::size_t i) { number += eulerian_[i] != 0 && owned(i); };
-    const auto add = [](std::size_t& whole, std::size_t part) { whole += part; };
-    count_ = over_ranks(particles_, reduce(particles_.count(), std::size_t{0}, tell, add), add);
+    count_ = count_over(particles_, {0, particles_.count()}, [&](std::size_t i) { return eulerian_[i] != 0; });
   }
 
   Particles& particles_;

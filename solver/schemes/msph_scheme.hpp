@@ -184,21 +184,13 @@ class MsphScheme final : public Scheme {
   }
 
   void count_orders() {
-    using Counts = std::pair<double, double>;
-    const auto add = [](Counts& whole, const Counts& part) {
-      whole.first += part.first;
-      whole.second += part.second;
+    const auto of_order = [this](int order) {
+      const auto tell = [this, order](std::size_t i) { return coefficients_[i].order == order; };
+      return static_cast<double>(count_over(particles_, {0, particles_.count()}, tell));
     };
-    const auto lower = reduce(
-        particles_.count(), Counts{0.0, 0.0},
-        [this, owned = Owned(particles_)](Counts& counts, std::size_t i) {
-          if (!owned(i)) return;
-          counts.first += coefficients_[i].order == 1 ? 1.0 : 0.0;
-          counts.second += coefficients_[i].order == 0 ? 1.0 : 0.0;
-        },
-        add);
     answered_ += static_cast<double>(count_of_all(particles_));
-    add(lower_order_, over_ranks(particles_, lower, add));
+    lower_order_.first += of_order(1);
+    lower_order_.second += of_order(0);
   }
 
   void kick(double dt) {

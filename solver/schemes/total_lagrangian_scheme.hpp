@@ -331,7 +331,7 @@ class TotalLagrangianScheme final : public Scheme {
       reference_[i].volume = 0.0;
       any = true;
     };
-    if (!reduce(particles_.count(), false, leave, [](bool& whole, bool part) { whole = whole || part; })) return;
+    if (!reduce(particles_.count(), false, leave, either)) return;
     mirror_.fill(reference_, particles_.count());
     neighbours_.fill(reference_);
   }

@@ -2,8 +2,11 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
+#include <limits>
+#include <regex>
 #include <sstream>
 
+#include "core/snapshot.hpp"
 #include "robustness/small_run.hpp"
 
 namespace {
@@ -196,13 +199,47 @@ TEST_CASE("Ranks: one that dies ends the run, and other numbers of ranks go on f
   }
 }
 
-TEST_CASE("Ranks: a wrong folder is told of once") {
+/// How often a text stands in another one.
+int count_of(const std::string& text, const std::string& within) {
+  int count = 0;
+  for (auto at = within.find(text); at != std::string::npos; at = within.find(text, at + 1)) ++count;
+  return count;
+}
+
+TEST_CASE("Ranks: what is wrong is told once, whichever of them finds it") {
   const SmallRun small("eulerian");
   const auto missing = small.program(on_ranks(2, small.solving("missing")));
   CHECK(missing.code == 2);
-  const auto first = missing.faults.find("there is no such folder");
-  REQUIRE(first != std::string::npos);
-  CHECK(missing.faults.find("there is no such folder", first + 1) == std::string::npos);
+  CHECK(count_of("there is no such folder", missing.faults) == 1);
+
+  // The last rank alone reads the last row.
+  small.fill("broken");
+  auto snapshot = tektite::read_snapshot(small.folder("broken/particles.h5"));
+  snapshot.particles.reals(tektite::Field::velocity).back() = std::numeric_limits<double>::quiet_NaN();
+  tektite::write_snapshot(snapshot, small.folder("broken/particles.h5"));
+  const auto broken = small.program(on_ranks(3, small.solving("broken")));
+  CHECK(broken.code == 2);
+  CHECK(count_of("broken/particles.h5: /particles/velocity: holds a number that is not finite", broken.faults) == 1);
+
+  // All come to it that a snapshot cannot be written.
+  small.fill("unwritable");
+  fs::create_directories(small.folder("unwritable/snapshots/000000.h5.part/taken"));
+  const auto unwritable = small.program(on_ranks(3, small.solving("unwritable")));
+  CHECK(unwritable.code == 1);
+  CHECK(count_of("unwritable/snapshots/000000.h5.part: cannot be created", unwritable.faults) == 1);
+}
+
+TEST_CASE("Ranks: each gets as many particles as the others") {
+  const SmallRun small("eulerian", {"spacing='0.5 mm'", "time.end='0.1 us'"});
+  for (const int ranks : {2, 3, 7}) {
+    const auto run = "dealt" + std::to_string(ranks);
+    small.fill(run);
+    REQUIRE(small.program(on_ranks(ranks, small.solving(run))).code == 0);
+    std::smatch found;
+    const auto log = content_of(small.folder(run + "/run.log"));
+    REQUIRE(std::regex_search(log, found, std::regex("each rank has ([0-9]+) to ([0-9]+) of them")));
+    CHECK(std::stod(found[2]) <= 1.1 * std::stod(found[1]));
+  }
 }
 
 }  // namespace

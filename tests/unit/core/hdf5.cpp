@@ -71,8 +71,8 @@ void write_unlisted(const std::string& path) {
 struct File {
   File() {
     hdf5::Writer writer(path);
-    writer.reals("/four", std::vector<double>(4, 1.0), 1);
-    writer.integers("/whole", std::vector<std::int64_t>(4, 1), 1);
+    writer.reals("/four", std::vector<double>(4, 1.0), 1, 4);
+    writer.integers("/whole", std::vector<std::int64_t>(4, 1), 1, 4);
     writer.attribute("/", "word", std::string("word"));
     writer.attribute("/", "number", 1.5);
     writer.close();
@@ -134,7 +134,7 @@ TEST_CASE("HDF5: numbers that are not those of their checksum are refused with f
   const std::vector<double> numbers(4, 1234.5);
   {
     hdf5::Writer writer(path);
-    writer.reals("/four", numbers, 1);
+    writer.reals("/four", numbers, 1, numbers.size());
     writer.close();
   }
   const std::string stored(reinterpret_cast<const char*>(numbers.data()), sizeof(double) * numbers.size());
@@ -154,7 +154,7 @@ TEST_CASE("HDF5: what cannot be written is told with file and place") {
   hdf5::Writer writer(folder.file("twice.h5"));
   writer.group("/group");
   CHECK_THROWS_WITH(writer.group("/group"), Contains("twice.h5: /group cannot be written"));
-  CHECK_THROWS_WITH(writer.reals("/group", std::vector<double>(1, 1.0), 1), Contains("/group cannot be written"));
+  CHECK_THROWS_WITH(writer.reals("/group", std::vector<double>(1, 1.0), 1, 1), Contains("/group cannot be written"));
   CHECK_THROWS_WITH(writer.attribute("/none", "name", 1.0), Contains("/none/@name cannot be written"));
   CHECK_THROWS_WITH(writer.attribute("/none", "name", std::int64_t{1}), Contains("/none/@name cannot be written"));
   CHECK_THROWS_WITH(writer.attribute("/none", "name", std::string("text")), Contains("/none/@name cannot be written"));

@@ -164,7 +164,7 @@ TEST_CASE("Snapshot: a count that the data do not have is refused before memory 
   const test::TemporaryFolder folder;
   const auto path = folder.file("large.h5");
   auto file = test::unfinished_file(path, 1, std::int64_t{1} << 40);
-  file.reals("/particles/density", std::vector<double>(4, 1.0), 1);
+  file.reals("/particles/density", std::vector<double>(4, 1.0), 1, 4);
   file.close();
   CHECK_THAT(fault_of([&] { read_snapshot(path); }), Contains("/particles/density: has 4 x 1 numbers where"));
 }
@@ -214,12 +214,12 @@ TEST_CASE("Snapshot: an unknown space, an unknown field, no body and a field tha
   CHECK_THAT(says(), Contains("/@space: unknown space \"warp\""));
 
   auto field = test::unfinished_file(path, 1, 4);
-  field.reals("/particles/charm", std::vector<double>(4, 1.0), 1);
+  field.reals("/particles/charm", std::vector<double>(4, 1.0), 1, 4);
   field.close();
   CHECK_THAT(says(), Contains("/particles/charm: no such field"));
 
   auto scratch = test::unfinished_file(path, 1, 4);
-  scratch.reals("/particles/half_density", std::vector<double>(4, 1.0), 1);
+  scratch.reals("/particles/half_density", std::vector<double>(4, 1.0), 1, 4);
   scratch.close();
   CHECK_THAT(says(), Contains("/particles/half_density: no such field"));
 

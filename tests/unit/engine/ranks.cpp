@@ -1,5 +1,5 @@
 // What several ranks need so that they come to the same bits as one: sums and orders that do not depend on how the
-// particles are grouped, and a partition.
+// particles are grouped.
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
@@ -9,7 +9,6 @@
 
 #include "neighbours/order.hpp"
 #include "parallel/packed.hpp"
-#include "parallel/partition.hpp"
 #include "parallel/sums.hpp"
 #include "support/particles.hpp"
 
@@ -70,38 +69,6 @@ TEST_CASE("Order: particles stand by cells and ids, whatever their order was bef
     order_in_space<2>(turned, side);
     CHECK(std::ranges::equal(particles.integers(Field::id), turned.integers(Field::id)));
   }
-}
-
-namespace {
-
-std::vector<std::size_t> sizes_of(const std::vector<int>& part, int parts) {
-  std::vector<std::size_t> sizes(static_cast<std::size_t>(parts), 0);
-  for (const int p : part) ++sizes.at(static_cast<std::size_t>(p));
-  return sizes;
-}
-
-}  // namespace
-
-TEST_CASE("Partition: parts cost the same, and each is a box of its own") {
-  std::vector<PartitionPoint> points;
-  for (int i = 0; i < 60; ++i)
-    for (int j = 0; j < 20; ++j) points.push_back({{0.1 * i, 0.1 * j, 0.0}, 20 * i + j, i < 20 ? 2.0 : 1.0});
-  for (const int parts : {1, 2, 3, 4, 7}) {
-    const auto part = bisect(points, parts);
-    std::vector<double> cost(static_cast<std::size_t>(parts), 0.0);
-    for (std::size_t n = 0; n < points.size(); ++n) cost[static_cast<std::size_t>(part[n])] += points[n].cost;
-    CHECK(std::ranges::max(cost) < 1.02 * 1600.0 / parts + 2.0);
-  }
-  const auto halves = bisect(points, 2);  // across the longer side
-  for (std::size_t n = 0; n + 1 < points.size(); ++n) CHECK(halves[n] <= halves[n + 1]);
-}
-
-TEST_CASE("Partition: all in one place, and more parts than particles") {
-  std::vector<PartitionPoint> points(10);
-  for (int i = 0; i < 10; ++i) points[static_cast<std::size_t>(i)].id = i;
-  CHECK(std::ranges::min(sizes_of(bisect(points, 7), 7)) >= 1);
-  CHECK(std::ranges::max(sizes_of(bisect(points, 23), 23)) == 1);
-  CHECK(bisect({}, 3).empty());
 }
 
 TEST_CASE("Packed particles: records in any order become particles in the order of bodies, sequence and ids") {

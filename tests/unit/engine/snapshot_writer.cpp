@@ -30,7 +30,7 @@ TEST_CASE("Snapshot writer: the file holds the state of its moment, without scra
   run.particles.allocate(Field::half_density);
   SnapshotWriter writer;
   for (const std::string name : {"first.h5", "second.h5"}) {  // the second in the room of the first one's copy
-    writer.start(run, folder.file(name), history);
+    writer.start(run, folder.file(name), &history);
     for (auto& number : run.particles.reals(Field::velocity)) number = -1.0;
     for (auto& number : run.particles.integers(Field::id)) number = -1;
     run.state["time"] = 2.0;
@@ -50,7 +50,7 @@ TEST_CASE("Snapshot writer: what cannot be written is told once, by finish(), an
   CHECK_NOTHROW(writer.start(state(), folder.file("file/000000.h5"), history));
   CHECK_THROWS_AS(writer.finish(), RunError);
   CHECK_NOTHROW(writer.finish());
-  writer.start(state(), folder.file("000001.h5"), history);
+  writer.start(state(), folder.file("000001.h5"), &history);
   CHECK_NOTHROW(writer.finish());
   CHECK(read_snapshot(folder.file("000001.h5")).state == state().state);
 }
@@ -59,16 +59,16 @@ TEST_CASE("Snapshot writer: one that goes leaves its file whole, where the syste
   const test::TemporaryFolder folder;
   std::filesystem::permissions(folder.path(), std::filesystem::perms::all);  // for whom no thread is given
   const History history(folder.file("history.csv"), {"energy"});
-  SnapshotWriter().start(state(), folder.file("threaded.h5"), history);
+  SnapshotWriter().start(state(), folder.file("threaded.h5"), &history);
   CHECK_NOTHROW(read_snapshot(folder.file("threaded.h5")));
   CHECK(test::fault_apart([&] {
           use_threads(1);
           test::allow_no_process();
           SnapshotWriter writer;
-          writer.start(state(), folder.file("waited_for.h5"), history);
+          writer.start(state(), folder.file("waited_for.h5"), &history);
           if (writer.at_work()) throw std::logic_error("a thread was given");
           writer.finish();
-          writer.start(state(), folder.file("not_waited_for.h5"), history);
+          writer.start(state(), folder.file("not_waited_for.h5"), &history);
         }).empty());
   CHECK_NOTHROW(read_snapshot(folder.file("waited_for.h5")));
   CHECK_NOTHROW(read_snapshot(folder.file("not_waited_for.h5")));
