@@ -1,14 +1,33 @@
 #include "parallel/threads.hpp"
 
 #include <omp.h>
+#include <sched.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <system_error>
+#include <vector>
 
 namespace tektite {
+namespace {
+
+/// OpenMP that binds its threads, as OMP_PROC_BIND and OMP_PLACES ask for, has bound this one as the program was
+/// loaded. The same program started again would know of no processor but that one, so this gives it back those of all
+/// places.
+void unbind() {
+  cpu_set_t processors;
+  CPU_ZERO(&processors);
+  for (int place = 0; place < omp_get_num_places(); ++place) {
+    std::vector<int> ids(static_cast<std::size_t>(omp_get_place_num_procs(place)));
+    omp_get_place_proc_ids(place, ids.data());
+    for (const int id : ids) CPU_SET(static_cast<std::size_t>(id), &processors);
+  }
+  if (CPU_COUNT(&processors) > 0) ::sched_setaffinity(0, sizeof processors, &processors);
+}
+
+}  // namespace
 
 void wait_briefly(char** argv) {
   // Long enough for the few microseconds between the loops of a step. Measured on two cores: with 300 to 3000 a step is
@@ -20,7 +39,9 @@ void wait_briefly(char** argv) {
   // NOLINTEND(concurrency-mt-unsafe)
   std::error_code none;
   const auto program = std::filesystem::read_symlink("/proc/self/exe", none);  // under its own name for ps and kill
-  if (!none) ::execv(program.c_str(), argv);  // comes back only where it cannot, and then all goes on as it was
+  if (none) return;
+  unbind();
+  ::execv(program.c_str(), argv);  // comes back only where it cannot, and then all goes on as it was
 }
 
 void use_threads(int wanted) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <thread>
 
+#include "robustness/small_run.hpp"
 #include "support/apart.hpp"
 #include "support/program.hpp"
 
@@ -18,6 +19,8 @@ namespace fs = std::filesystem;
 using Catch::Matchers::Contains;
 using tektite::test::content_of;
 using tektite::test::run_in;
+using tektite::test::SmallRun;
+using tektite::test::stage_program;
 using tektite::test::TemporaryFolder;
 
 /// A folder with the small scene of the wrong scenes and a published value.
@@ -153,6 +156,20 @@ TEST_CASE("Front: who starts it may ignore children, and they are waited for all
       run_in(place.folder.path(), {TEKTITE_PROGRAM, "check", "scene.toml"}, [] { ::signal(SIGCHLD, SIG_IGN); });
   INFO(outcome.faults);
   CHECK(outcome.code == 0);
+}
+
+TEST_CASE("Front: threads that are bound to processors are as many as others") {
+  const SmallRun small("eulerian", {"spacing=0.5 mm", "time.end=0.01 us"});
+  small.fill("run");
+  const auto begun = [&](void (*prepare)()) {
+    const auto outcome = run_in(small.path(), {stage_program("solve"), "run"}, prepare);
+    CHECK(outcome.code == 0);
+    return outcome.output.substr(0, outcome.output.find('\n'));
+  };
+  const auto free = begun([] {});
+  CHECK_THAT(free, Contains(" threads: started from "));
+  CHECK(begun([] { ::setenv("OMP_PROC_BIND", "true", 1); }) == free);
+  CHECK(begun([] { ::setenv("OMP_PLACES", "cores", 1); }) == free);
 }
 
 TEST_CASE("Front: a run leaves its state, numbers and the table of ours beside published") {
