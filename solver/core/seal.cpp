@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/crc.hpp>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <vector>
 
+#include "core/crc32.hpp"
 #include "core/error.hpp"
 
 namespace tektite {
@@ -21,14 +21,14 @@ static_assert(sizeof(Seal) == 16);
 
 /// Checksum of the first `length` bytes.
 std::uint32_t checksum_of(std::ifstream& file, std::uint64_t length) {
-  boost::crc_32_type checksum;
+  Crc32 checksum;
   std::vector<char> part(1 << 20);
   while (length > 0 && file) {
     file.read(part.data(), static_cast<std::streamsize>(std::min<std::uint64_t>(length, part.size())));
-    checksum.process_bytes(part.data(), static_cast<std::size_t>(file.gcount()));
+    checksum.take({part.data(), static_cast<std::size_t>(file.gcount())});
     length -= static_cast<std::uint64_t>(file.gcount());
   }
-  return checksum.checksum();
+  return checksum.value();
 }
 
 }  // namespace
