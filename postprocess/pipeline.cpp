@@ -24,20 +24,24 @@ Document scene_of(const PostprocessOptions& options, const Snapshot& last, const
   return Document::parse(last.scene, path);
 }
 
-void export_snapshots(const RunFolder& run, const std::string& scene_name) {
+/// Gives the time of each.
+std::vector<double> export_snapshots(const RunFolder& run, const std::string& scene_name) {
   std::vector<TimedFile> files;
+  std::vector<double> times;
   for (const auto& path : run.snapshots) {
     const auto snapshot = read_snapshot(path);
     const auto file = "vtu/" + fs::path(path).stem().string() + ".vtu";
     write_vtu(snapshot, (fs::path(run.path) / file).string());
     files.push_back({snapshot.time(), file});
+    times.push_back(snapshot.time());
   }
   const auto collection = (fs::path(run.path) / (scene_name + ".pvd")).string();
   write_pvd(files, collection);
   std::cout << fmt::format("{} snapshots for ParaView: {}\n", files.size(), collection);
+  return times;
 }
 
-Event make_event(const RunFolder& run, const Scene& scene, Snapshot last) {
+Event make_event(const RunFolder& run, const Scene& scene, Snapshot last, std::vector<double> times) {
   Event event;
   event.initial = make_whole(read_snapshot(run.snapshots.front()), scene.symmetry);
   event.last = make_whole(last, scene.symmetry);
@@ -47,6 +51,7 @@ Event make_event(const RunFolder& run, const Scene& scene, Snapshot last) {
   event.history = run.history;
   event.contact_time = run.number("contact_time");
   event.snapshots = run.snapshots;
+  event.times = std::move(times);
   event.symmetry = scene.symmetry;
   return event;
 }
@@ -86,8 +91,8 @@ void postprocess(const PostprocessOptions& options) {
   report.particles = last.particles.count();
   if (!options.reference.empty()) report.references = read_references(options.reference, report.variant, plan.measures);
 
-  export_snapshots(run, plan.scene.name);
-  const auto event = make_event(run, plan.scene, std::move(last));
+  auto times = export_snapshots(run, plan.scene.name);
+  const auto event = make_event(run, plan.scene, std::move(last), std::move(times));
   write_fragments(event.last, event.fragments, (fs::path(run.path) / "fragments.csv").string());
   take_measures(plan.measures, event, report);
   write_measurements(report, run, (fs::path(run.path) / "measurements.json").string());

@@ -2,6 +2,8 @@
 // What a measure is: read from [measure.NAME] once, then taken of an event. The kinds stand in kinds.def; a new one is
 // one new file with its reader and one line there.
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <optional>
@@ -33,8 +35,15 @@ struct Event {
   std::optional<History> history;
   std::optional<double> contact_time;  ///< in s
   std::vector<std::string> snapshots;  ///< files by time, the initial state first
+  std::vector<double> times;           ///< of the snapshots, s
   std::vector<SymmetryPlane> symmetry;
 };
+
+/// Which of the snapshots is nearest to a time.
+inline std::size_t nearest_snapshot(const Event& event, double time) {
+  const auto away = [time](double at) { return std::abs(at - time); };
+  return static_cast<std::size_t>(std::ranges::min_element(event.times, {}, away) - event.times.begin());
+}
 
 /// A line to draw for a measure, in the coordinates of the scene.
 struct Segment {

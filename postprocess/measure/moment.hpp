@@ -3,9 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <optional>
-#include <utility>
 
 #include "core/error.hpp"
 #include "postprocess/measure/measure.hpp"
@@ -26,13 +24,8 @@ Measured measured_at(const Event& event, std::optional<double> time, const Work&
   if (*time > (1.0 + rounding) * event.last.time)
     throw RunError(
         fmt::format("the run ends at {:g} s, before the {:g} s at which it is looked for", event.last.time, *time));
-  std::optional<Snapshot> nearest;
-  for (const auto& path : event.snapshots) {
-    auto snapshot = read_snapshot(path);
-    if (!nearest || std::abs(snapshot.time() - *time) < std::abs(nearest->time() - *time))
-      nearest = std::move(snapshot);
-  }
-  return work(*nearest, make_whole(*nearest, event.symmetry));
+  const auto snapshot = read_snapshot(event.snapshots[nearest_snapshot(event, *time)]);
+  return work(snapshot, make_whole(snapshot, event.symmetry));
 }
 
 }  // namespace tektite

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <filesystem>
 
 #include "core/error.hpp"
@@ -16,24 +15,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The snapshots that a picture shows, with the time of each.
-std::vector<std::string> snapshots_of(const Picture& picture, const RunFolder& run) {
-  if (picture.all_times) return run.snapshots;
-  if (picture.times.empty()) return {run.snapshots.back()};
-  std::vector<double> recorded;
-  for (const auto& path : run.snapshots) recorded.push_back(read_snapshot(path).time());
+/// The snapshots that a picture shows.
+std::vector<std::string> snapshots_of(const Picture& picture, const Drawing& drawing) {
+  const auto& snapshots = drawing.run.snapshots;
+  if (picture.all_times) return snapshots;
+  if (picture.times.empty()) return {snapshots.back()};
   std::vector<std::string> chosen;
-  for (const double wanted : picture.times) {
-    std::size_t nearest = 0;
-    for (std::size_t k = 1; k < recorded.size(); ++k)
-      if (std::abs(recorded[k] - wanted) < std::abs(recorded[nearest] - wanted)) nearest = k;
-    chosen.push_back(run.snapshots[nearest]);
-  }
+  for (const double wanted : picture.times) chosen.push_back(snapshots[nearest_snapshot(drawing.event, wanted)]);
   return chosen;
 }
 
 /// Draws one picture, which is several files where it shows several times; tells each path.
-void draw_one(const Picture& picture, const Drawing& drawing, const Tell& tell) {
+void draw_one(const Picture& picture, const Drawing& drawing, ParticlePictures& particles, const Tell& tell) {
   const auto folder = fs::path(drawing.run.path) / "pictures";
   if (picture.type == PictureType::history) {
     if (!drawing.run.history) throw RunError("there is no history.csv");
@@ -42,16 +35,21 @@ void draw_one(const Picture& picture, const Drawing& drawing, const Tell& tell) 
     tell("picture: " + path);
     return;
   }
-  for (const auto& file : snapshots_of(picture, drawing.run)) {
+  for (const auto& file : snapshots_of(picture, drawing)) {
     const bool is_last = file == drawing.run.snapshots.back();
     const bool series = picture.all_times || !picture.times.empty();
     const auto name = series ? fmt::format("{}_{}", picture.name, fs::path(file).stem().string()) : picture.name;
     const auto path = (folder / (name + ".png")).string();
-    const auto draw = picture.type == PictureType::profile ? draw_profile : draw_particles;
+    const auto draw = [&](const Snapshot& snapshot) {
+      if (picture.type == PictureType::profile)
+        draw_profile(picture, snapshot, drawing, path);
+      else
+        particles.draw(picture, snapshot, drawing, path);
+    };
     if (is_last)
-      draw(picture, drawing.event.last_snapshot, drawing, path);
+      draw(drawing.event.last_snapshot);
     else
-      draw(picture, read_snapshot(file), drawing, path);
+      draw(read_snapshot(file));
     tell("picture: " + path);
   }
 }
@@ -60,8 +58,9 @@ void draw_one(const Picture& picture, const Drawing& drawing, const Tell& tell) 
 
 std::vector<std::string> draw_pictures(const std::vector<Picture>& pictures, const Drawing& drawing) {
   return draw_apart([&](const Tell& tell) {
+    ParticlePictures particles;
     for (const auto& picture : pictures) try {
-        draw_one(picture, drawing, tell);
+        draw_one(picture, drawing, particles, tell);
       } catch (const std::exception& fault) {
         tell(fmt::format("warning: no picture {}: {}", picture.name, fault.what()));
       }

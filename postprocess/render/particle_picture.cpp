@@ -4,6 +4,7 @@
 #include <vtkActor.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkRendererCollection.h>
 #include <vtkScalarsToColors.h>
 #include <vtkSmartPointer.h>
 
@@ -78,27 +79,31 @@ std::vector<DimensionLine> dimension_lines(const Picture& picture, const Drawing
   return lines;
 }
 
-/// Three layers: white paper, the particles on a part of it, and what is written over all.
-vtkSmartPointer<vtkRenderWindow> make_window(const Picture& picture, vtkRenderer* scene, vtkRenderer* overlay) {
-  auto window = vtkSmartPointer<vtkRenderWindow>::New();
-  window->SetOffScreenRendering(1);
-  window->SetMultiSamples(8);
+/// Three layers in place of what was drawn before: white paper, the particles on a part of it, and what is written over
+/// all.
+void lay_out(vtkRenderWindow* window, const Picture& picture, vtkRenderer* scene, vtkRenderer* overlay) {
+  while (auto* const before = window->GetRenderers()->GetFirstRenderer()) window->RemoveRenderer(before);
   window->SetSize(picture.width, picture.height);
   const auto paper = vtkSmartPointer<vtkRenderer>::New();
   paper->SetBackground(1.0, 1.0, 1.0);
   scene->SetViewport(0.02, 0.08, 0.85, 0.89);
   int layer = 0;
-  window->SetNumberOfLayers(3);
   for (auto* renderer : {paper.Get(), scene, overlay}) {
     renderer->SetLayer(layer++);
     window->AddRenderer(renderer);
   }
-  return window;
 }
 
 }  // namespace
 
-void draw_particles(const Picture& picture, const Snapshot& snapshot, const Drawing& drawing, const std::string& path) {
+ParticlePictures::ParticlePictures() : window_(vtkSmartPointer<vtkRenderWindow>::New()) {
+  window_->SetOffScreenRendering(1);
+  window_->SetMultiSamples(8);
+  window_->SetNumberOfLayers(3);
+}
+
+void ParticlePictures::draw(const Picture& picture, const Snapshot& snapshot, const Drawing& drawing,
+                            const std::string& path) {
   const auto field = scalar_field(snapshot, picture.field);
   if (!field) throw RunError(fmt::format("the snapshot at {} s has no {}", snapshot.time(), picture.field));
   const auto whole = make_whole(snapshot, drawing.scene.symmetry);
@@ -116,7 +121,7 @@ void draw_particles(const Picture& picture, const Snapshot& snapshot, const Draw
 
   const auto scene = vtkSmartPointer<vtkRenderer>::New();
   const auto overlay = vtkSmartPointer<vtkRenderer>::New();
-  const auto window = make_window(picture, scene, overlay);
+  lay_out(window_, picture, scene, overlay);
   scene->AddActor(particle_actor(whole, drawn, values, colours));
   const auto lines = dimension_lines(picture, drawing, snapshot.time());
   std::vector<Segment> segments;
@@ -132,7 +137,7 @@ void draw_particles(const Picture& picture, const Snapshot& snapshot, const Draw
   } else {
     add_colour_bar(overlay, colours, readable(picture.field) + (unit.label.empty() ? "" : ", " + unit.label));
   }
-  write_png(window, path);
+  write_png(window_, path);
 }
 
 }  // namespace tektite

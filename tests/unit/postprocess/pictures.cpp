@@ -14,6 +14,7 @@
 #include "postprocess/render/draw.hpp"
 #include "postprocess/render/image.hpp"
 #include "support/apart.hpp"
+#include "support/program.hpp"
 #include "support/temporary_folder.hpp"
 #include "unit/postprocess/colours.hpp"
 #include "unit/postprocess/synthetic.hpp"
@@ -114,6 +115,26 @@ TEST_CASE("Pictures: kernel types have their own two colours, whichever of them 
   CHECK(eulerian[light] > colours[light]);
   CHECK(eulerian[dark] > 0);  // the legend names both
   CHECK(eulerian[dark] < colours[dark]);
+}
+
+TEST_CASE("Pictures: one drawn after others of another size and field is the one that is drawn alone") {
+  Made made(Space::plane_strain);
+  auto large = small_picture("pressure");
+  large.width = 800;
+  large.height = 600;
+  const auto small = small_picture("speed");
+  const auto contents = [&] {
+    std::vector<std::string> files;
+    for (const auto* name : {"pressure", "speed", "body"})
+      files.push_back(content_of(made.folder.file(std::string("pictures/") + name + ".png")));
+    return files;
+  };
+  for (const auto& picture : {large, small, small_picture("body")}) REQUIRE(made.draw(picture).size() == 1);
+  const auto alone = contents();
+  std::filesystem::remove_all(made.folder.file("pictures"));
+  REQUIRE(draw_pictures({large, small, small_picture("body")}, {made.run, made.scene, made.event, made.measurements})
+              .size() == 3);
+  CHECK(contents() == alone);
 }
 
 TEST_CASE("Pictures: a cut through a solid takes away one half of it") {

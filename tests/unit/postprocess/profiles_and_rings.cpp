@@ -50,6 +50,7 @@ TEST_CASE("Rings: the radii are those of the surfaces, at the end or at a time")
   const auto save = [&](double inner, double time) {
     const auto snapshot = test::snapshot_of(Space::plane_strain, ring(inner, 1.0), time, ring_scene, test::as_it_is);
     event.snapshots.push_back(folder.file(fmt::format("{}.h5", event.snapshots.size())));
+    event.times.push_back(time);
     write_snapshot(snapshot, event.snapshots.back());
     return make_whole(snapshot, {});
   };
@@ -64,6 +65,7 @@ TEST_CASE("Rings: the radii are those of the surfaces, at the end or at a time")
   CHECK(values.at("early").time == 3.9e-5);
   // A run that was stopped has no state of then.
   event.snapshots.pop_back();
+  event.times.pop_back();
   event.last.time = 3.9e-5;
   CHECK_THROWS_WITH(measured(ring_scene, {Space::plane_strain, {"ring"}, {}}, event),
                     Catch::Contains("the run ends at 3.9e-05 s, before the 4e-05 s at which it is looked for"));
