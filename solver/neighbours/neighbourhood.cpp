@@ -38,9 +38,9 @@ auto Neighbourhood<D>::approach(double dt) -> Approach {
   const auto *x = particles.vectors<D>(Field::position), *v = particles.vectors<D>(Field::velocity),
              *a = particles.vectors<D>(Field::acceleration), *from = particles.vectors<D>(search_.positions);
   const double ahead = 0.5 * dt;
-  boxes_.resize(regions_.cells());
-  for_each(regions_.cells(), [&](std::size_t region) {
-    boxes_[region] = Box{};
+  boxes_.assign(regions_.cells(), Box{});
+  for_each(occupied_.size(), [&](std::size_t n) {
+    const auto region = occupied_[n];
     for (const auto i : regions_.members(region))
       boxes_[region].take(x[i] + ahead * (v[i] + (0.5 * ahead) * a[i]) - from[i]);
   });
@@ -119,6 +119,9 @@ void Neighbourhood<D>::find_regions() {
   const auto* places = particles.vectors<D>(search_.positions);
   regions_.build({places, particles.count()}, region_side * support_,
                  extent_of_owned<D>(particles, {0, particles.count()}, places));
+  occupied_.clear();
+  for (std::uint32_t region = 0; region < regions_.cells(); ++region)
+    if (!regions_.members(region).empty()) occupied_.push_back(region);
 }
 
 template <int D>

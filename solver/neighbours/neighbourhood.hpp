@@ -82,7 +82,8 @@ class Neighbourhood {
   int searches_since_order_ = 0;
   Mirror<D> mirror_;
   CellGrid<D> regions_;
-  std::vector<VectorBox<D>> boxes_;  ///< of the displacements since the last search, region by region
+  std::vector<std::uint32_t> occupied_;  ///< regions that have particles here
+  std::vector<VectorBox<D>> boxes_;      ///< of the displacements since the last search, region by region
   PairList pairs_;
   std::size_t lists_ = 0;
   std::vector<std::uint32_t> members_;

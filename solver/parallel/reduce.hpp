@@ -1,5 +1,6 @@
 #pragma once
-// Reductions whose order does not depend on the number of threads: parts of fixed size, then the parts one by one.
+// Reductions whose order does not depend on the number of threads: parts whose size follows from the count alone, then
+// the parts one by one.
 // Sums over particles are those of sums.hpp, which do not depend on the ranks either.
 
 #include <algorithm>
@@ -15,7 +16,8 @@ namespace tektite {
 /// `join(whole, part)`.
 template <class Value, class Body, class Join>
 TEKTITE_UNFUSED Value reduce(std::size_t count, const Value& start, const Body& body, const Join& join) {
-  constexpr std::size_t part_size = 4096;
+  constexpr std::size_t longest = 4096, least_parts = 64;  // so many, that threads have about as much to do
+  const std::size_t part_size = std::clamp<std::size_t>(count / least_parts, 1, longest);
   const std::size_t parts = (count + part_size - 1) / part_size;
   struct Part {  // not the bare value: a std::vector<bool> packs those of several threads into one word
     Value value;

@@ -24,7 +24,7 @@ class MaterialPasses {
   };
 
   MaterialPasses(Particles& particles, const std::map<std::string, Material>& materials) : particles_(particles) {
-    constexpr std::size_t longest = 1024;
+    constexpr std::size_t longest = 512;
     for (const auto& body : particles.bodies()) {
       materials_.push_back(&materials.at(body.material));
       for (std::size_t begin = body.range.begin; begin < body.range.end; begin += longest)
@@ -35,7 +35,7 @@ class MaterialPasses {
   /// work(run) for every run, each on some thread.
   template <class Work>
   void for_each_run(const Work& work) const {
-    for_each(runs_.size(), [&](std::size_t k) { work(runs_[k]); });
+    for_each_uneven(runs_.size(), [&](std::size_t k) { work(runs_[k]); });
   }
 
   /// Allocates what the materials need and sets it at the start of a run.
