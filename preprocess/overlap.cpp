@@ -14,6 +14,10 @@ namespace {
 // sums of several rounded numbers, so a millionth of a spacing is allowed here.
 constexpr double touch_tolerance = 1e-6;
 
+// Of the smaller spacing. Shapes of rounded numbers and of facets may reach into each other by as much; what does by
+// more has so much of its mass twice.
+constexpr double overlap_tolerance = 0.1;
+
 using Cell = std::array<long long, 3>;  ///< z, y, x, so that sorted cells follow each other along x
 
 bool within(const Point& p, const Box& box, double margin, int dimensions) {
@@ -51,8 +55,11 @@ class Grid {
     std::sort(sorted_.begin(), sorted_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   }
 
-  bool has_nearer(const Point& p, double distance) const {
+  /// The nearest point that is nearer than the size; null where there is none.
+  const Point* nearest(const Point& p) const {
     const auto centre = cell_of(p);
+    const Point* found = nullptr;
+    double least = size_;
     for (long long z = -1; z <= 1; ++z)
       for (long long y = -1; y <= 1; ++y) {
         const Cell from{centre[0] + z, centre[1] + y, centre[2] - 1};
@@ -60,9 +67,12 @@ class Grid {
         auto at = std::lower_bound(sorted_.begin(), sorted_.end(), from,
                                    [](const auto& entry, const Cell& cell) { return entry.first < cell; });
         for (; at != sorted_.end() && at->first <= to; ++at)
-          if (norm(at->second - p) < distance) return true;
+          if (const double distance = norm(at->second - p); distance < least) {
+            least = distance;
+            found = &at->second;
+          }
       }
-    return false;
+    return found;
   }
 
  private:
@@ -75,13 +85,52 @@ class Grid {
   std::vector<std::pair<Cell, Point>> sorted_;
 };
 
-void check_distance(const FilledBody& a, const FilledBody& b, const std::vector<Point>& particles_of_a,
-                    const std::vector<Point>& particles_of_b) {
+/// A particle of one body and the nearest of another one.
+struct Neighbours {
+  Point p, q;
+};
+
+std::vector<Neighbours> neighbours(const std::vector<Point>& particles_of_a, const std::vector<Point>& particles_of_b,
+                                   double reach) {
+  const Grid grid(particles_of_b, reach);
+  std::vector<const Point*> nearest(particles_of_a.size());
+#pragma omp parallel for schedule(dynamic, 1024)
+  for (std::size_t k = 0; k < nearest.size(); ++k) nearest[k] = grid.nearest(particles_of_a[k]);
+  std::vector<Neighbours> found;
+  for (std::size_t k = 0; k < nearest.size(); ++k)
+    if (nearest[k]) found.push_back({particles_of_a[k], *nearest[k]});
+  return found;
+}
+
+void check_distance(const FilledBody& a, const FilledBody& b, const std::vector<Neighbours>& pairs) {
   const double half = 0.5 * std::min(a.spacing, b.spacing);
-  const Grid grid(particles_of_b, half);
-  for (const auto& p : particles_of_a)
-    if (grid.has_nearer(p, half * (1.0 - touch_tolerance)))
+  for (const auto& [p, q] : pairs)
+    if (norm(q - p) < half * (1.0 - touch_tolerance))
       throw fault(a, b, p, fmt::format("their particles are nearer than half a spacing, {:g} m", half));
+}
+
+/// Where the way from p, in a shape, to q leaves it.
+Point end_of(const Shape& shape, const Neighbours& way) {
+  double in = 0.0, out = 1.0;
+  while (out - in > touch_tolerance) {
+    const double middle = 0.5 * (in + out);
+    (shape.inside(way.p + middle * (way.q - way.p), 0.0) ? in : out) = middle;
+  }
+  return way.p + in * (way.q - way.p);
+}
+
+/// On the way from a particle of a to one of b a ends before b begins. Where it ends within b the shapes overlap, which
+/// the particles of lattices that stay half a spacing off the faces do only from half a spacing on.
+void check_between(const FilledBody& a, const FilledBody& b, const std::vector<Neighbours>& pairs) {
+  const double deep = overlap_tolerance * std::min(a.spacing, b.spacing);
+  auto first = pairs.size();
+#pragma omp parallel for schedule(dynamic, 1024) reduction(min : first)
+  for (std::size_t k = 0; k < pairs.size(); ++k)
+    if (b.plan.shape->inside(end_of(*a.plan.shape, pairs[k]), -deep)) first = std::min(first, k);
+  if (first < pairs.size())
+    throw fault(a, b, end_of(*a.plan.shape, pairs[first]),
+                fmt::format("{} reaches into {} by more than {:g} spacings, {:g} m; bodies may touch", a.plan.name,
+                            b.plan.name, overlap_tolerance, deep));
 }
 
 }  // namespace
@@ -90,12 +139,14 @@ void check_overlaps(std::span<const FilledBody> bodies) {
   for (std::size_t i = 0; i < bodies.size(); ++i)
     for (std::size_t j = i + 1; j < bodies.size(); ++j) {
       const auto &a = bodies[i], &b = bodies[j];
-      const double margin = 0.5 * std::min(a.spacing, b.spacing);
+      const double margin = a.spacing + b.spacing;  // twice as far as cells in touch have their middles
       const auto near_b = near_box(a, b.plan.shape->bounds(), margin);
       const auto near_a = near_box(b, a.plan.shape->bounds(), margin);
       check_inside(a, b, near_b);
       check_inside(b, a, near_a);
-      check_distance(a, b, near_b, near_a);
+      const auto pairs = neighbours(near_b, near_a, margin);
+      check_distance(a, b, pairs);
+      check_between(a, b, pairs);
     }
 }
 

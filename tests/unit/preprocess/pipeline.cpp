@@ -147,6 +147,37 @@ TEST_CASE("Bodies: touching is allowed, overlapping is not") {
              Catch::Contains("nearer than half a spacing"));
 }
 
+TEST_CASE("Bodies: an overlap by less than what the particles are within their faces is refused too") {
+  const auto plate_at = [](const std::string& x) {
+    return square + "[body.b]\nmaterial = 'other'\nshape = { type = 'rectangle', lower = [" + x +
+           ", 0], upper = [2, 1] }\n";
+  };
+  // Spacing 0.1: particles half a spacing within the faces, so that none lies in the other body.
+  for (const auto* x : {"0.95", "0.98", "0.985"})
+    CHECK_THAT(fault_of([&] { result_of("plane-strain", plate_at(x)); }),
+               Catch::Contains("overlaps") && Catch::Contains("a reaches into b by more than 0.1 spacings"));
+  CHECK_NOTHROW(result_of("plane-strain", plate_at("0.995")));
+  CHECK_NOTHROW(result_of("plane-strain", plate_at("1.0")));
+  // The corner of a square that stands on its tip, in touch.
+  const auto on_tip = [](double x) {
+    return square +
+           "[body.b]\nmaterial = 'other'\nshape = { type = 'rectangle', lower = [-0.5, -0.5], upper = [0.5, 0.5], "
+           "rotate = { angle = '45 deg' }, translate = [" +
+           std::to_string(x) + ", 0.5] }\n";
+  };
+  CHECK_NOTHROW(result_of("plane-strain", on_tip(1.0 + std::sqrt(0.5))));
+  // A ball in a box with a hole for it, and one that is too small.
+  const auto in_hole = [](const std::string& radius) {
+    return "[body.a]\nmaterial = 'unit'\nshape = { type = 'disc', radius = 1 }\n[body.b]\nmaterial = 'other'\n"
+           "shape = { type = 'difference', parts = [{ type = 'rectangle', lower = [-2, -2], upper = [2, 2] }, "
+           "{ type = 'disc', radius = " +
+           radius + " }] }\n";
+  };
+  CHECK_NOTHROW(result_of("plane-strain", in_hole("1.05")));
+  CHECK_NOTHROW(result_of("plane-strain", in_hole("1")));
+  CHECK_THAT(fault_of([&] { result_of("plane-strain", in_hole("0.97")); }), Catch::Contains("overlaps"));
+}
+
 TEST_CASE("Bodies: what cannot be filled is refused with the reason") {
   const auto fault = [](const std::string& space, const std::string& rest) {
     return fault_of([&] { result_of(space, rest); });
