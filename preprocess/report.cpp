@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "core/counted.hpp"
 #include "preprocess/build_particles.hpp"
 
 namespace tektite::preprocess {
@@ -25,8 +26,8 @@ std::string in_words(const Result& result) {
   const auto* unit = mass_unit(particles.space());
   std::string text;
   for (const auto& body : result.bodies) {
-    text += fmt::format("body {} ({}): {} particles at a spacing of {:g} m\n", body.name, body.material, body.count,
-                        body.spacing);
+    text += fmt::format("body {} ({}): {} at a spacing of {:g} m\n", body.name, body.material,
+                        counted(body.count, "particle"), body.spacing);
     text += fmt::format("  mass {:.6g} {}", body.mass, unit);
     if (body.exact_mass > 0.0)
       text += fmt::format(", exact {:.6g} {}, difference {:+.3f} %{}", body.exact_mass, unit,
@@ -34,14 +35,14 @@ std::string in_words(const Result& result) {
                           body.mass_spread ? " (spread over the particles)" : "");
     text += '\n';
     if (body.on_symmetry_planes > 0)
-      text += fmt::format("  {} particles lie on a symmetry plane, with half their mass a plane\n",
-                          body.on_symmetry_planes);
+      text += fmt::format("  on a symmetry plane, with half their mass a plane: {}\n",
+                          counted(body.on_symmetry_planes, "particle"));
     for (const auto& region : body.regions)
-      text += fmt::format("  region {}: {} particles, {}\n", region.name, region.count, region.words);
+      text += fmt::format("  region {}: {}, {}\n", region.name, counted(region.count, "particle"), region.words);
     for (const auto& remark : body.remarks) text += fmt::format("  repaired: {}\n", remark);
     for (const auto& warning : body.warnings) text += fmt::format("  warning: {}\n", warning);
   }
-  return text + fmt::format("{} particles in all, {}\n", particles.count(), name_of(particles.space()));
+  return text + fmt::format("{} in all, {}\n", counted(particles.count(), "particle"), name_of(particles.space()));
 }
 
 }  // namespace tektite::preprocess

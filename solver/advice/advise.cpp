@@ -13,6 +13,7 @@
 #include "advice/symmetry.hpp"
 #include "advice/thickness.hpp"
 #include "advice/viscosity.hpp"
+#include "core/counted.hpp"
 #include "run/locking.hpp"
 #include "schemes/godunov_settings.hpp"
 
@@ -52,7 +53,8 @@ void advise_on_thickness(const Particles& particles, const RunSettings& settings
       least = through;
     }
   }
-  advice.lines.push_back(fmt::format("{:.0f} particles through the thinnest part, {}{}", least, thinnest->name,
+  advice.lines.push_back(fmt::format("{} through the thinnest part, {}{}",
+                                     counted(static_cast<std::size_t>(std::llround(least)), "particle"), thinnest->name,
                                      convergence(settings.scheme.type)));
 }
 
@@ -200,10 +202,9 @@ void advise_on_reach(const Particles& particles, const RunSettings& settings, co
     spared += trim.spared;
     advice.lines.push_back(
         fmt::format("no wave comes further than {:g} m from what meets {} before the end: from {} to {} m of it would "
-                    "do, {} of its "
-                    "{} particles",
+                    "do, {} of its {}",
                     trim.distance, trim.body->name, list(trim.lower), list(trim.upper),
-                    trim.body->range.size() - trim.spared, trim.body->range.size()));
+                    trim.body->range.size() - trim.spared, counted(trim.body->range.size(), "particle")));
     const auto reduced = trimming(trim, document);
     if (reduced.empty()) advice.lines.back() += " (its shape, arrangement or regions are to be changed by hand)";
     advice.settings.insert(advice.settings.end(), reduced.begin(), reduced.end());

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "advice/thickness.hpp"
+#include "core/counted.hpp"
 
 namespace tektite {
 namespace {
@@ -47,8 +49,9 @@ std::vector<std::string> msph_impacts(const Particles& particles, const RunSetti
     const double ratio = coarser / finer;
     const auto &thin = row_of(by_thickness, through), &unlike = row_of(by_ratio, ratio);
     const double strong = std::max(thin.strong, unlike.strong), adjoint = std::max(thin.adjoint, unlike.adjoint);
-    const auto place = fmt::format("{} and {}, {:.0f} particles through the thinner one and spacings of 1 to {:.3g}",
-                                   meeting.first->name, meeting.second->name, through, ratio);
+    const auto place =
+        fmt::format("{} and {}, {} through the thinner one and spacings of 1 to {:.3g}", meeting.first->name,
+                    meeting.second->name, counted(static_cast<std::size_t>(std::llround(through)), "particle"), ratio);
     const bool few = through <= by_thickness.back().at;
     if (!scheme.adjoint_forces)
       lines.push_back(fmt::format(

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/counted.hpp"
 #include "output/progress.hpp"
 #include "parallel/threads.hpp"
 
@@ -37,12 +38,14 @@ void print_scene(const Simulation& simulation) {
 
 void print(const Forecast& forecast, const Simulation& simulation) {
   const auto& settings = simulation.settings();
-  fmt::print("until {}{}: about {} steps, the first of {}\n", shown_time(settings.end),
-             settings.from_contact ? " after contact" : "", forecast.steps, shown_time(forecast.first_dt));
+  fmt::print("until {}{}: about {}, the first of {}\n", shown_time(settings.end),
+             settings.from_contact ? " after contact" : "", counted(static_cast<std::size_t>(forecast.steps), "step"),
+             shown_time(forecast.first_dt));
   for (const auto& stop : settings.stops) fmt::print("stops earlier where {}\n", in_words(stop));
-  fmt::print("about {} on {} threads; memory {}, {:.0f} bytes a particle; disk {}, {} a snapshot\n",
-             shown_duration(forecast.seconds), threads_in_use(), shown_bytes(forecast.memory_bytes),
-             forecast.bytes_per_particle, shown_bytes(forecast.disk_bytes), shown_bytes(forecast.snapshot_bytes));
+  fmt::print("about {} on {}; memory {}, {:.0f} bytes a particle; disk {}, {} a snapshot\n",
+             shown_duration(forecast.seconds), counted(static_cast<std::size_t>(threads_in_use()), "thread"),
+             shown_bytes(forecast.memory_bytes), forecast.bytes_per_particle, shown_bytes(forecast.disk_bytes),
+             shown_bytes(forecast.snapshot_bytes));
 }
 
 void print(const Advice& advice) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "boundary/mirror.hpp"
+#include "core/counted.hpp"
 #include "parallel/for_each.hpp"
 #include "parallel/for_each_pair.hpp"
 #include "parallel/reduce.hpp"
@@ -23,7 +24,7 @@ inline std::size_t without_of_all(const Particles& particles, std::size_t own) {
 /// What a user is told of particles without correction; empty where there are none.
 inline std::string remark_on_correction(std::size_t without) {
   if (without == 0) return {};
-  return fmt::format("{} particles have too few neighbours for the correction and go without", without);
+  return counted(without, "particle") + " without the correction, with too few neighbours for it";
 }
 
 /// The failure of a correction that more than this part of the particles goes without.

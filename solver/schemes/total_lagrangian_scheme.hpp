@@ -8,6 +8,7 @@
 #include "boundary/mirror.hpp"
 #include "boundary/stop_at_anvil.hpp"
 #include "boundary/walls.hpp"
+#include "core/counted.hpp"
 #include "neighbours/order.hpp"
 #include "passes/lagrangian_motion.hpp"
 #include "passes/lagrangian_sums.hpp"
@@ -134,7 +135,7 @@ class TotalLagrangianScheme final : public Scheme {
   bool in_contact() const override { return contact_ && contact_->touching(); }
   std::string remark() const override {
     std::string text;
-    if (eulerian_ && eulerian_->any()) text = fmt::format("{} particles are Eulerian", eulerian_->count());
+    if (eulerian_ && eulerian_->any()) text = "Eulerian: " + counted(eulerian_->count(), "particle");
     const auto other = remark_on_correction(without_correction());
     return text + (text.empty() || other.empty() ? "" : "; ") + other;
   }

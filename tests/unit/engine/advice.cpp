@@ -328,6 +328,7 @@ TEST_CASE("Advice: how far the energy of an impact by msph is off, by the forces
   };
   const std::string strong = "type = 'msph'", adjoint = "type = 'msph', forces = 'adjoint'";
   CHECK(says(lines(strong, 1e-3, 10), "10 particles through the thinner one and spacings of 1 to 1: "));
+  CHECK(says(lines(strong, 1e-3, 1), ", 1 particle through the thinner one"));
   CHECK(says(lines(strong, 1e-3, 10), "off by up to 10 %"));
   CHECK(says(lines(strong, 0.25e-3, 10), "off by up to 15 % of the energy, and by 2 % with scheme.forces"));
   CHECK(says(lines(strong, 1e-3, 1), "off by up to 152 %"));

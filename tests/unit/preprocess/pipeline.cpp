@@ -118,6 +118,13 @@ TEST_CASE("Symmetry: particles on a plane stay with half their mass a plane, and
   }
 }
 
+TEST_CASE("Particles: one of them is told in the singular") {
+  const auto told = preprocess::in_words(
+      result_of("plane-strain",
+                "[body.a]\nmaterial = 'unit'\nshape = { type = 'rectangle', lower = [0, 0], upper = [0.1, 0.1] }\n"));
+  CHECK_THAT(told, Catch::StartsWith("body a (unit): 1 particle at ") && Catch::Contains("1 particle in all"));
+}
+
 TEST_CASE("Particles: the same on any number of threads") {
   const std::string body =
       "[body.a]\nmaterial = 'unit'\nshape = { type = 'sphere', radius = 1.3 }\narrangement = { type = 'close-packed' "
