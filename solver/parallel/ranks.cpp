@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 #include "core/error.hpp"
 #include "parallel/traffic.hpp"
@@ -43,6 +44,10 @@ int ranks() { return all_ranks; }
 void dismiss_ranks() { dismissed = true; }
 std::size_t count_of_all(const Particles& particles) {
   return distributed(particles) ? particles_of_all : particles.count();
+}
+void wait_to_be_ended() {
+  constexpr std::chrono::seconds patience(30);
+  std::this_thread::sleep_for(patience);
 }
 void note_count_of_all(std::size_t count) { particles_of_all = count; }
 

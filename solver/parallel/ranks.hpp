@@ -19,6 +19,9 @@ using Words = std::vector<Word>;
 void begin_ranks();
 /// All has been done, or laid down in order, and every rank is about to leave.
 void dismiss_ranks();
+/// What another rank than the first one does that has come to the same fault: the first one tells it and ends all, and
+/// this one waits for that so long that it need not come back.
+void wait_to_be_ended();
 /// The last thing that a process does. Where it has failed with this code before ranks were dismissed, the others would
 /// wait for it for ever, and are ended too.
 void leave_ranks(int code);

@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 
 #include <atomic>
-#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <optional>
-#include <thread>
 
 #include "core/run_lock.hpp"
 #include "core/saved_number.hpp"
@@ -103,11 +101,10 @@ Origin origin_of_all(const Origin& own) {
 /// A rank beside the first one comes to the same faults, and leaves it to the first one to tell them and to end all;
 /// where that does not, this one does.
 bool compute_beside(const RunOptions& options) {
-  constexpr std::chrono::seconds patience(30);
   try {
     return compute(options, origin_of_all({}));
   } catch (const std::exception&) {
-    std::this_thread::sleep_for(patience);
+    wait_to_be_ended();
     throw;
   }
 }

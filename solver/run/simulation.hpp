@@ -19,8 +19,6 @@ class Simulation {
   /// From initial particles, or from a snapshot that a run left: `resumed` tells which. Of several ranks each has a
   /// part of the particles (snapshot_on_ranks.hpp), and calls the same of all that stands below.
   Simulation(Snapshot snapshot, RunSettings settings, bool resumed);
-  Simulation(const Simulation&) = delete;  // its scheme knows its place
-  Simulation& operator=(const Simulation&) = delete;
 
   /// One step. Throws RunError where the state is not sane or the time step collapses.
   void step();

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/hdf5.hpp"
@@ -62,6 +63,28 @@ struct Written {
   test::TemporaryFolder folder;
   std::string path = folder.file("particles.h5");
 };
+
+TEST_CASE("Snapshot: what several read of the rows is together what one reads") {
+  for (const auto space : {Space::line, Space::solid}) {
+    const Written written(sample(space));
+    const auto whole = read_snapshot(written.path);
+    const auto positions = whole.particles.reals(Field::position);
+    const auto ids = whole.particles.integers(Field::id);
+    const auto columns = static_cast<std::size_t>(whole.particles.dimensions());
+    std::vector<std::size_t> left(2, 0);
+    for (const auto& [first, count] : {std::pair{0, 2}, {2, 3}, {5, 0}, {5, 2}}) {
+      const auto from = static_cast<std::size_t>(first), size = static_cast<std::size_t>(count);
+      const auto part = read_rows(written.path, [=](std::size_t all) { return hdf5::Rows(from, size, all); });
+      REQUIRE(part.particles.count() == size);
+      CHECK(part.state == whole.state);
+      CHECK(
+          std::ranges::equal(part.particles.reals(Field::position), positions.subspan(from * columns, size * columns)));
+      CHECK(std::ranges::equal(part.particles.integers(Field::id), ids.subspan(from, size)));
+      for (std::size_t k = 0; k < 2; ++k) left[k] += part.particles.bodies()[k].range.size();
+    }
+    CHECK(left == std::vector<std::size_t>{3, 4});
+  }
+}
 
 TEST_CASE("Snapshot: every kept field, in every space, comes back bit for bit") {
   const auto space = GENERATE(Space::line, Space::plane_strain, Space::plane_stress, Space::solid);

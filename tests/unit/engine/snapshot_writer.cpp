@@ -47,7 +47,7 @@ TEST_CASE("Snapshot writer: what cannot be written is told once, by finish(), an
   const History history(folder.file("history.csv"), {"energy"});
   std::ofstream(folder.file("file")) << "in the way";
   SnapshotWriter writer;
-  CHECK_NOTHROW(writer.start(state(), folder.file("file/000000.h5"), history));
+  CHECK_NOTHROW(writer.start(state(), folder.file("file/000000.h5"), &history));
   CHECK_THROWS_AS(writer.finish(), RunError);
   CHECK_NOTHROW(writer.finish());
   writer.start(state(), folder.file("000001.h5"), &history);
