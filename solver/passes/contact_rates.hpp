@@ -67,6 +67,7 @@ struct ContactRates {
       v[k] = b[D + k] - a.v[k];
     }
     const PairAxis<Kernel, D> pair(x, smoothing.inverse_of(smoothing.of_pair(a.h, rest[3])));
+    if (pair.far()) return;
     Vector<Pack, D> own, others;  // tractions
     for (int i = 0; i < D; ++i) {
       own[i] = a.stress[Record::index(i, 0)] * pair.e[0];

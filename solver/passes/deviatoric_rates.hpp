@@ -81,6 +81,7 @@ struct DeviatoricRates {
       }
     } else {
       const PairAxis<Kernel, D> pair(x, smoothing.inverse_of(h));
+      if (pair.far()) return;
       const Pack weight = rest[0] * pair.slope;
       for (int k = 0; k < D; ++k) gradient[k] = weight * pair.e[k];
       Pack stress[Record::stresses];

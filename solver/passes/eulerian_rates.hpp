@@ -75,6 +75,8 @@ struct EulerianRates {
     const Pack r_squared = dot(x, x);
     using std::experimental::sqrt;
     const Pack q = sqrt(r_squared) * one_over_h;
+    // Of a list's packs some hold the skin alone: they add zeros, bit for bit.
+    if (none_of(q < Pack(Kernel::support))) return;
     Pack scale = one_over_h * one_over_h;
     for (int k = 0; k < D; ++k) scale *= one_over_h;
     const Pack slope = select(q < Pack(Kernel::support),

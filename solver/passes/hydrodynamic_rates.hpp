@@ -99,6 +99,7 @@ struct HydrodynamicRates {
     }
     const Pack h = smoothing.of_pair(a.h, rest[6]);
     const PairAxis<Kernel, D> pair(x, smoothing.inverse_of(h));
+    if (!Gradients::corrected && pair.far()) return;
     const Pack closing = dot(v, pair.e);
     RiemannSide<Pack> right{a.pressure, Pack(0.0), a.density, a.sound_speed, a.shock_slope, a.inverse_slope};
     RiemannSide<Pack> left{rest[1], closing, rest[0], rest[2], rest[3], rest[4]};
