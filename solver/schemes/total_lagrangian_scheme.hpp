@@ -13,6 +13,7 @@
 #include "passes/lagrangian_motion.hpp"
 #include "passes/lagrangian_sums.hpp"
 #include "passes/least_stretch.hpp"
+#include "passes/viscous_step_limit.hpp"
 #include "schemes/converter.hpp"
 #include "schemes/eulerian_part.hpp"
 #include "schemes/half_state.hpp"
@@ -122,8 +123,19 @@ class TotalLagrangianScheme final : public Scheme {
   bool search_is_left() const override { return search_is_left_; }
 
   TimeStep stable_step() const override {
-    return smallest_step<D>(least_stable_step<D>(particles_, settings_.courant, coefficients_of(settings_.viscosity)),
-                            particles_, walls_, contact_, settings_.courant);
+    const auto viscosity = coefficients_of(settings_.viscosity);
+    auto least = least_stable_step<D>(particles_, settings_.courant, viscosity);
+    const ViscousStepLimit<D> viscous{particles_.integers(Field::id).data(),
+                                      settings_.courant,
+                                      viscosity.alpha,
+                                      viscosity.beta,
+                                      !eulerian_,
+                                      particles_.scalars(Field::smoothing_length),
+                                      particles_.scalars(Field::sound_speed),
+                                      particles_.scalars(Field::viscous_signal),
+                                      particles_.scalars(Field::least_stretch)};
+    least = reduce(particles_, least, viscous, TimeStepLimit<D>::join);
+    return smallest_step<D>(least, particles_, walls_, contact_, settings_.courant);
   }
 
   Ledger ledger() override {
