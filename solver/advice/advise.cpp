@@ -9,6 +9,7 @@
 
 #include "advice/contact.hpp"
 #include "advice/msph_impacts.hpp"
+#include "advice/plausibility.hpp"
 #include "advice/reach.hpp"
 #include "advice/symmetry.hpp"
 #include "advice/thickness.hpp"
@@ -215,21 +216,37 @@ void advise_on_reach(const Particles& particles, const RunSettings& settings, co
                     static_cast<double>(particles.count()) / static_cast<double>(particles.count() - spared)));
 }
 
+/// Scenes of many bodies have as many lines of a kind as pairs of them; those of other kinds must not be lost in them.
+void tell(std::vector<std::string> lines, Advice& advice) {
+  constexpr std::size_t most = 8;
+  const std::size_t more = lines.size() > most ? lines.size() - most : 0;
+  std::move(lines.begin(), lines.end() - static_cast<std::ptrdiff_t>(more), std::back_inserter(advice.lines));
+  if (more > 0) advice.lines.push_back(fmt::format("and {} more of this kind", more));
+}
+
+std::vector<std::string> locks(const Particles& particles, const RunSettings& settings) {
+  std::vector<std::string> lines;
+  for (const auto& body : particles.bodies())
+    if (auto line = locking(body.name, settings.materials.at(body.material))) lines.push_back(std::move(*line));
+  return lines;
+}
+
 }  // namespace
 
 Advice advise(const Particles& particles, const RunSettings& settings, const std::vector<Meeting>& meetings,
               Document& document) {
   Advice advice;
   const double end = settings.from_contact ? std::numeric_limits<double>::infinity() : settings.end;
-  advice.lines = in_words(meetings, settings.materials, end);
-  std::ranges::move(misses(particles), std::back_inserter(advice.lines));
-  std::ranges::move(strangers(particles), std::back_inserter(advice.lines));
+  tell(implausible(settings.materials), advice);
+  tell(in_words(meetings, end), advice);
+  tell(out_of_range(meetings, settings.materials, end), advice);
+  tell(misses(particles), advice);
+  tell(strangers(particles), advice);
   advise_on_thickness(particles, settings, advice);
-  std::ranges::move(viscous_strengths(particles, settings, meetings), std::back_inserter(advice.lines));
-  for (const auto& body : particles.bodies())
-    if (const auto locks = locking(body.name, settings.materials.at(body.material))) advice.lines.push_back(*locks);
-  std::ranges::move(slow_contacts(particles, settings, meetings), std::back_inserter(advice.lines));
-  std::ranges::move(msph_impacts(particles, settings, meetings), std::back_inserter(advice.lines));
+  tell(viscous_strengths(particles, settings, meetings), advice);
+  tell(locks(particles, settings), advice);
+  tell(slow_contacts(particles, settings, meetings), advice);
+  tell(msph_impacts(particles, settings, meetings), advice);
   advise_on_axis(particles, settings, meetings, advice);
   advise_on_splitting(particles, settings, advice);
   advise_on_mirrors(particles, settings, advice);

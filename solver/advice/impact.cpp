@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <utility>
 
 #include "output/progress.hpp"
 #include "parallel/body_mean.hpp"
@@ -162,8 +165,7 @@ double step_shortening(const std::vector<Meeting>& meetings, const std::map<std:
   return most;
 }
 
-std::vector<std::string> in_words(const std::vector<Meeting>& meetings,
-                                  const std::map<std::string, Material>& materials, double end) {
+std::vector<std::string> in_words(const std::vector<Meeting>& meetings, double end) {
   std::vector<std::string> lines;
   const Meeting* late = nullptr;  // the first one behind the end
   for (const auto& meeting : meetings) {
@@ -181,13 +183,32 @@ std::vector<std::string> in_words(const std::vector<Meeting>& meetings,
     lines.push_back(fmt::format("{}: {:.4g} GPa by Hugoniot matching, shocks of {:.4g} m/s in {} and {:.4g} m/s in {}",
                                 names, 1e-9 * a.pressure, a.shock_speed, meeting.first->name, b.shock_speed,
                                 meeting.second->name));
-    for (const auto& [body, state] : {std::pair{meeting.first, &a}, std::pair{meeting.second, &b}})
-      for (auto& doubt : doubts(*body, materials.at(body->material), *state)) lines.push_back(std::move(doubt));
   }
   if (late)
     lines.push_back(fmt::format("{} meets {} after {} at the earliest, when the run has ended{}", late->first->name,
                                 late->second->name, shown_time(late->arrival),
                                 lines.empty() ? ": by then nothing has met" : "; so do all pairs that are not named"));
+  return lines;
+}
+
+std::vector<std::string> out_of_range(const std::vector<Meeting>& meetings,
+                                      const std::map<std::string, Material>& materials, double end) {
+  std::vector<std::pair<const Body*, const ShockedState*>> hardest;
+  const auto add = [&](const Body* body, const ShockedState& state) {
+    const auto at = std::ranges::find(hardest, body, [](const auto& entry) { return entry.first; });
+    if (at == hardest.end())
+      hardest.emplace_back(body, &state);
+    else if (state.pressure > at->second->pressure)
+      at->second = &state;
+  };
+  for (const auto& meeting : meetings)
+    if (meeting.shocked && meeting.arrival < end) {
+      add(meeting.first, meeting.shocked->first);
+      add(meeting.second, meeting.shocked->second);
+    }
+  std::vector<std::string> lines;
+  for (const auto& [body, state] : hardest)
+    std::ranges::move(doubts(*body, materials.at(body->material), *state), std::back_inserter(lines));
   return lines;
 }
 

@@ -39,9 +39,11 @@ std::vector<std::string> strangers(const Particles& particles);
 double step_shortening(const std::vector<Meeting>& meetings, const std::map<std::string, Material>& materials,
                        double alpha);
 
-/// Pressures of the meetings before `end`, in s, and where they leave the range of an equation of state or a flow law,
-/// a line each; and a line for all that come behind it.
-std::vector<std::string> in_words(const std::vector<Meeting>& meetings,
-                                  const std::map<std::string, Material>& materials, double end);
+/// Pressures of the meetings before `end`, in s, a line each; and a line for all that come behind it.
+std::vector<std::string> in_words(const std::vector<Meeting>& meetings, double end);
+
+/// Where the strongest of these shocks leaves a body out of the range of its equation of state or flow law.
+std::vector<std::string> out_of_range(const std::vector<Meeting>& meetings,
+                                      const std::map<std::string, Material>& materials, double end);
 
 }  // namespace tektite

@@ -49,9 +49,7 @@ void print(const Forecast& forecast, const Simulation& simulation) {
 }
 
 void print(const Advice& advice) {
-  constexpr std::size_t most = 30;  // scenes of many bodies have as many lines as pairs of them
-  for (std::size_t k = 0; k < std::min(most, advice.lines.size()); ++k) fmt::print("advice: {}\n", advice.lines[k]);
-  if (advice.lines.size() > most) fmt::print("advice: and {} more of the kind\n", advice.lines.size() - most);
+  for (const auto& line : advice.lines) fmt::print("advice: {}\n", line);
 }
 
 }  // namespace tektite

@@ -5,6 +5,7 @@
 #include "advice/contact.hpp"
 #include "advice/impact.hpp"
 #include "advice/msph_impacts.hpp"
+#include "advice/plausibility.hpp"
 #include "advice/reach.hpp"
 #include "advice/symmetry.hpp"
 #include "advice/thickness.hpp"
@@ -171,7 +172,7 @@ TEST_CASE("Advice: bodies that meet when the run has ended, or never come nearer
   const auto met = meetings(towards, settings.materials);
   REQUIRE(met.size() == 1);
   CHECK(met.front().arrival == Approx(47.2e-6).epsilon(1e-6));
-  const auto early = in_words(met, settings.materials, 40e-6), late = in_words(met, settings.materials, 50e-6);
+  const auto early = in_words(met, 40e-6), late = in_words(met, 50e-6);
   REQUIRE(early.size() == 1);
   CHECK_THAT(early.front(), Contains("ball meets plate after 47.2 µs at the earliest") && Contains("nothing has met"));
   CHECK_THAT(late.front(), Contains("ball meets plate at 1000 m/s") && Contains("by Hugoniot matching"));
@@ -182,6 +183,48 @@ TEST_CASE("Advice: bodies that meet when the run has ended, or never come nearer
                                             {"right", "metal", 1e-3, {0.0, 0.0}, {9, 9}, {0.0, 0.0}}},
                                            2785.0);
   CHECK(strangers(touching).empty());
+}
+
+TEST_CASE("Advice: a density or a wave speed that no material has is told, as of a wrong unit", "[advice]") {
+  using Catch::Matchers::Contains;
+  const auto lines = [](const std::string& density, const std::string& modulus) {
+    return implausible(settings_of("space = 'plane-strain'\n[material.metal]\ndensity = " + density +
+                                   "\neos = { model = 'linear', bulk_modulus = " + modulus +
+                                   " }\n[body.ball]\nmaterial = 'metal'\n[time]\nend = '1 us'\n")
+                           .materials);
+  };
+  CHECK(lines("2785.0", "'79 GPa'").empty());
+  CHECK(lines("22590.0", "'462 GPa'").empty());  // osmium
+  CHECK(lines("3515.0", "'1211 GPa'").empty());  // diamond, with the modulus of its fastest wave
+  REQUIRE(lines("2.785", "'79 GPa'").size() == 1);
+  CHECK_THAT(lines("2.785", "'79 GPa'").front(),
+             Contains("metal") && Contains("1.684e+05 m/s") && Contains("2.785 kg/m3"));
+  REQUIRE(lines("2785e3", "'79 GPa'").size() == 1);
+  CHECK_THAT(lines("2785e3", "'79 GPa'").front(), Contains("osmium"));
+}
+
+TEST_CASE("Advice: many lines of one kind do not hide those of another, nor say the same of a body twice", "[advice]") {
+  std::string scene =
+      "name = 'test'\nspace = 'plane-strain'\n[material.metal]\ndensity = 2785.0\n"
+      "eos = { model = 'linear', bulk_modulus = '79 GPa' }\n[time]\nend = '40 us'\n";
+  // A ball that meets three of forty blocks and passes the others by.
+  std::vector<Lattice> bodies;
+  for (int k = 0; k < 40; ++k)
+    bodies.push_back({"block" + std::to_string(k), "metal", 1e-3, {0.0, 6e-3 * k}, {6, 6}, {0.0, 0.0}});
+  bodies.push_back({"ball", "metal", 1e-3, {-20e-3, 3e-3}, {9, 9}, {1000.0, 0.0}});
+  for (const auto& body : bodies) scene += "[body." + body.body + "]\nmaterial = 'metal'\nshape.type = 'disc'\n";
+  auto document = Document::parse(scene, "test scene");
+  const auto settings = read_run_settings(document);
+  const auto particles = test::particles_on(Space::plane_strain, bodies, 2785.0);
+  const auto advice = advise(particles, settings, meetings(particles, settings.materials), document);
+  const auto count = [&](const std::string& words) {
+    return std::ranges::count_if(advice.lines, [&](const auto& line) { return line.find(words) != std::string::npos; });
+  };
+  CHECK(count("meets ball at") == 3);
+  CHECK(count("ball: compressed by") == 1);
+  CHECK(count("pass each other") == 8);
+  CHECK(count("and 29 more of this kind") == 1);
+  CHECK(count("particles through the thinnest part") == 1);
 }
 
 TEST_CASE("Advice: only spaces are named that know the strength of the bodies", "[advice]") {
