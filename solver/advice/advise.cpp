@@ -246,6 +246,7 @@ Advice advise(const Particles& particles, const RunSettings& settings, const std
   tell(viscous_strengths(particles, settings, meetings), advice);
   tell(locks(particles, settings), advice);
   tell(slow_contacts(particles, settings, meetings), advice);
+  tell(rough_contacts(particles, settings, meetings), advice);
   tell(msph_impacts(particles, settings, meetings), advice);
   advise_on_axis(particles, settings, meetings, advice);
   advise_on_splitting(particles, settings, advice);

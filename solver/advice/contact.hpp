@@ -1,5 +1,6 @@
 #pragma once
-// Impacts that are too slow for a contact that begins where kernels meet.
+// What contacts cost elastic bodies: impacts that are too slow for one that begins where kernels meet, and faces whose
+// particles shove each other aside.
 
 #include <string>
 #include <vector>
@@ -15,5 +16,10 @@ namespace tektite {
 /// Z_b/(Z_a + Z_b) times the closing speed, does not make flow.
 std::vector<std::string> slow_contacts(const Particles& particles, const RunSettings& settings,
                                        const std::vector<Meeting>& meetings);
+
+/// A line for each elastic impact of total-Lagrangian bodies whose zero-energy modes are not controlled: by these the
+/// particles of faces in contact move aside, and the viscosity takes their motion.
+std::vector<std::string> rough_contacts(const Particles& particles, const RunSettings& settings,
+                                        const std::vector<Meeting>& meetings);
 
 }  // namespace tektite

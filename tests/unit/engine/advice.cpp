@@ -355,6 +355,28 @@ TEST_CASE("Advice: a contact that begins in reach is named where an elastic impa
   CHECK(lines(37.0, reach, plastic).empty());
 }
 
+TEST_CASE("Advice: elastic impacts of total-Lagrangian bodies whose zero-energy modes nothing holds", "[advice]") {
+  const auto lines = [](const std::string& scheme, const std::string& strength) {
+    const auto settings = settings_of("space = 'plane-strain'\n" + scheme +
+                                      "[material.metal]\ndensity = 2785.0\n"
+                                      "eos = { model = 'linear', bulk_modulus = '79 GPa' }\nstrength = " +
+                                      strength +
+                                      "\n[body.ball]\nmaterial = 'metal'\n[body.plate]\nmaterial = 'metal'\n"
+                                      "[time]\nend = '10 us'\n");
+    const Lattice ball{"ball", "metal", 1e-3, {-10.5e-3, -4.5e-3}, {10, 10}, {100.0, 0.0}};
+    const Lattice plate{"plate", "metal", 1e-3, {0.5e-3, -9.5e-3}, {20, 20}, {0.0, 0.0}};
+    const auto particles = test::particles_on(Space::plane_strain, {ball, plate}, 2785.0);
+    return rough_contacts(particles, settings, meetings(particles, settings.materials)).size();
+  };
+  const std::string elastic = "{ model = 'elastic', shear_modulus = '27.6 GPa' }",
+                    plastic = "{ model = 'perfectly-plastic', shear_modulus = '27.6 GPa', yield_stress = '0.3 GPa' }",
+                    contact = "contact.model = 'kernel-penalty'\n";
+  CHECK(lines(contact + "scheme.type = 'total-lagrangian'\n", elastic) == 1);
+  CHECK(lines(contact + "scheme.type = 'total-lagrangian'\n", plastic) == 0);
+  CHECK(lines(contact + "scheme = { type = 'total-lagrangian', hourglass_control = 0.05 }\n", elastic) == 0);
+  CHECK(lines(contact + "scheme.type = 'eulerian'\n", elastic) == 0);
+}
+
 TEST_CASE("Advice: how far the energy of an impact by msph is off, by the forces and the particles", "[advice]") {
   const auto lines = [](const std::string& scheme, double spacing, int across) {
     const auto settings = settings_of(
