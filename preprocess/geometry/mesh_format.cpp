@@ -22,12 +22,17 @@ void check_stl_length(const std::string& path) {
   std::array<char, stl_header> header{};
   file.read(header.data(), header.size());
   const auto read = static_cast<std::size_t>(file.gcount());
-  if (std::string_view(header.data(), std::min<std::size_t>(read, 5)) == "solid") return;  // most likely ascii
+  std::string word(header.data(), std::min<std::size_t>(read, 5));
+  if (word == "solid") return;  // most likely ascii
   std::uint32_t faces = 0;
   std::memcpy(&faces, header.data() + 80, sizeof faces);
   const auto expected = stl_header + stl_face * faces;
   const auto there = std::filesystem::file_size(path);
-  if (read < stl_header || there < expected)
+  const bool whole = read >= stl_header && there >= expected;
+  std::transform(word.begin(), word.end(), word.begin(), [](unsigned char letter) { return std::tolower(letter); });
+  if (!whole && word == "solid")
+    throw mesh_fault(path, "an ASCII STL file has its words in small letters", "solid, facet, vertex, ...");
+  if (!whole)
     throw mesh_fault(path, fmt::format("the file is cut short: {} bytes of {}", there, expected), "a whole STL file");
 }
 

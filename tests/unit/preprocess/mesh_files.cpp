@@ -249,6 +249,8 @@ TEST_CASE("Mesh: files that are missing, empty, cut short or of another kind are
   write_binary_stl(test.folder.file("short.stl"), cube());
   std::filesystem::resize_file(test.folder.file("short.stl"), 300);
   CHECK_THAT(test.fault("short.stl"), Catch::Contains("cut short"));
+  std::ofstream(test.folder.file("loud.stl")) << "SOLID CUBE\nFACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\n";
+  CHECK_THAT(test.fault("loud.stl"), Catch::Contains("words in small letters"));
   write_off(test.folder.file("none.off"), {});
   CHECK_THAT(test.fault("none.off"), Catch::Contains("none.off"));
   write_off(test.folder.file("cube.off"), cube());
