@@ -1,6 +1,10 @@
 #include "parallel/snapshot_on_ranks.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <numeric>
 #include <utility>
 
@@ -36,13 +40,46 @@ Snapshot read_snapshot_on_ranks(const std::string& path) {
   return snapshot;
 }
 
+namespace {
+
+/// Bytes of a file with these rows, generously.
+std::size_t size_of_file(const Snapshot& snapshot, const FileRows& rows) {
+  constexpr std::size_t number = sizeof(double), of_object = 4096;
+  std::size_t bytes = snapshot.scene.size() + of_object * (field_count + rows.bodies.size() + snapshot.state.size());
+  for (const auto& row : field_table)
+    if (saved(row.keep) && rows.particles.has(row.field))
+      bytes += rows.rows.all * number * static_cast<std::size_t>(rows.particles.components(row.field));
+  return bytes;
+}
+
+/// The first rank takes so many bytes on the disk for a file, of which no more is left than is needed; false where
+/// there are less. Systems of files that cannot do that are taken at their word.
+bool take_room(const std::string& path, std::size_t bytes) {
+  if (rank() > 0) return true;
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+  const bool taken = file >= 0 && (::fallocate(file, 0, 0, static_cast<off_t>(bytes)) == 0 || errno == EOPNOTSUPP);
+  if (file >= 0) ::close(file);
+  return taken;
+}
+
+}  // namespace
+
 void write_snapshot_on_ranks(const Snapshot& snapshot, const std::string& path) {
-  auto [particles, bodies, rows] = in_file_order(snapshot.particles);
-  const Snapshot part{std::move(particles), snapshot.state, snapshot.scene};
+  auto rows = in_file_order(snapshot.particles);
+  const auto bytes = size_of_file(snapshot, rows);
+  const Snapshot part{std::move(rows.particles), snapshot.state, snapshot.scene};
   const auto together = file_of_all_ranks();
-  const auto write = [&, &bodies = bodies, &rows = rows](const std::string& beside) {
+  // Where a disk becomes full in their midst, processes that write an HDF5 file together wait for each other for ever:
+  // the room is taken before, and again when the file is there, which gives it back.
+  const auto check_room = [&](const std::string& beside) {
+    if (!together->everywhere(take_room(beside, bytes)))
+      throw RunError(path + ": there is no room for it (is the disk full, or the folder not writable?)");
+  };
+  const auto write = [&](const std::string& beside) {
+    check_room(beside);
     hdf5::Writer file(beside, together.get());
-    write_rows(file, part, bodies, rows);
+    check_room(beside);
+    write_rows(file, part, rows.bodies, rows.rows);
   };
   if (rank() > 0) return write(path + part_ending);
   write_beside(path, [&](const std::string& beside) {

@@ -1,4 +1,6 @@
 // Several ranks come to the bits of one process, wherever particles fly, and go on from each other's snapshots.
+#include <sys/resource.h>
+
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -221,12 +223,28 @@ TEST_CASE("Ranks: what is wrong is told once, whichever of them finds it") {
   CHECK(broken.code == 2);
   CHECK(count_of("broken/particles.h5: /particles/velocity: holds a number that is not finite", broken.faults) == 1);
 
-  // All come to it that a snapshot cannot be written.
-  small.fill("unwritable");
-  fs::create_directories(small.folder("unwritable/snapshots/000000.h5.part/taken"));
-  const auto unwritable = small.program(on_ranks(3, small.solving("unwritable")));
-  CHECK(unwritable.code == 1);
-  CHECK(count_of("unwritable/snapshots/000000.h5.part: cannot be created", unwritable.faults) == 1);
+  // All come to it.
+  const SmallRun parting("eulerian",
+                         {"time.from='contact'", "time.end='0.1 us'", "body.bar.shape.upper=['-6.5 mm', '5 mm']",
+                          "probe.centre.position=['-10 mm', 0]"});
+  parting.fill("alone");
+  const auto alone = parting.program(on_ranks(3, parting.solving("alone")));
+  CHECK(alone.code == 1);
+  CHECK(count_of("none has come in as long a time", alone.faults) == 1);
+}
+
+TEST_CASE("Ranks: where a snapshot has no room on the disk the run ends, and no half of it is left") {
+  constexpr auto limit = [] {
+    constexpr rlim_t room = 9 << 20;  // enough for what the launcher writes
+    const rlimit limits{room, room};
+    ::setrlimit(RLIMIT_FSIZE, &limits);
+  };
+  const SmallRun small("eulerian", {"spacing='0.09 mm'"});
+  small.fill("full");
+  const auto outcome = run_in(small.path(), on_ranks(3, small.solving("full")), limit);
+  CHECK(outcome.code == 1);
+  CHECK(count_of("full/snapshots/000000.h5: there is no room for it", outcome.faults) == 1);
+  CHECK(fs::is_empty(small.folder("full/snapshots")));
 }
 
 TEST_CASE("Ranks: each gets as many particles as the others") {
