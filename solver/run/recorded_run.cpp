@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "core/counted.hpp"
 #include "core/snapshot_files.hpp"
 #include "core/version.hpp"
 #include "parallel/distribution.hpp"
@@ -73,8 +74,8 @@ void RecordedRun::begin(bool beyond) {
              origin_.snapshot ? "resumed" : "started", origin_.file);
   const auto& particles = simulation_.particles();
   for (const auto& body : particles.bodies())
-    log_->info("  {}: {} particles of {}, spacing {:g} m", body.name, size_of(particles, body), body.material,
-               body.spacing);
+    log_->info("  {}: {} of {}, spacing {:g} m", body.name, counted(size_of(particles, body), "particle"),
+               body.material, body.spacing);
   if (ranks() > 1) {
     const auto [least, most] = least_and_most_owned(particles);
     log_->info("  each rank has {} to {} of them, and copies", least, most);
