@@ -23,5 +23,6 @@ set(CPACK_DEBIAN_LIBRARY_DESCRIPTION "solver of tektite as a static library
  Schemes of smoothed particle hydrodynamics for impact, to be used from C++ with
  find_package(tektite).")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "libboost-program-options-dev, libeigen3-dev, libfmt-dev, libhdf5-dev, \
-libhdf5-openmpi-dev, libopenmpi-dev, libspdlog-dev, libtomlplusplus-dev, libtrilinos-zoltan-dev")
+libhdf5-openmpi-dev, libopenmpi-dev, libspdlog-dev, libtomlplusplus-dev, libtrilinos-zoltan-dev, \
+zlib1g-dev")
 include(CPack)

@@ -7,5 +7,6 @@ find_dependency(Eigen3)
 find_dependency(Boost COMPONENTS program_options)
 find_dependency(OpenMP COMPONENTS CXX)
 find_dependency(Threads)
+find_dependency(ZLIB)
 find_package(MPI COMPONENTS CXX QUIET)  # the library needs it where it was built with it
 include(${CMAKE_CURRENT_LIST_DIR}/tektiteTargets.cmake)

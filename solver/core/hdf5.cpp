@@ -131,32 +131,25 @@ void Writer::text(const std::string& name, const std::string& value) {
   dataset(name, H5T_NATIVE_UCHAR, value.data(), {0, writes ? value.size() : 0, value.size()}, 1);
 }
 
-void Writer::attribute(const std::string& object, const std::string& name, const std::string& value) {
-  const auto type = text_type(value.size());
+void Writer::attribute(const std::string& object, const std::string& name, hid_t type, const void* value) {
   const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-  const Handle attribute(H5Acreate_by_name(file_.id(), object.c_str(), name.c_str(), type.id(), space.id(), H5P_DEFAULT,
+  const Handle attribute(H5Acreate_by_name(file_.id(), object.c_str(), name.c_str(), type, space.id(), H5P_DEFAULT,
                                            H5P_DEFAULT, H5P_DEFAULT),
                          H5Aclose);
-  check(attribute.valid() && H5Awrite(attribute.id(), type.id(), value.empty() ? "\0" : value.data()) >= 0,
+  check(attribute.valid() && H5Awrite(attribute.id(), type, value) >= 0,
         fmt::format("{}: {} cannot be written", path_, part_of(object, name)));
+}
+
+void Writer::attribute(const std::string& object, const std::string& name, const std::string& value) {
+  attribute(object, name, text_type(value.size()).id(), value.c_str());
 }
 
 void Writer::attribute(const std::string& object, const std::string& name, double value) {
-  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-  const Handle attribute(H5Acreate_by_name(file_.id(), object.c_str(), name.c_str(), H5T_NATIVE_DOUBLE, space.id(),
-                                           H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-                         H5Aclose);
-  check(attribute.valid() && H5Awrite(attribute.id(), H5T_NATIVE_DOUBLE, &value) >= 0,
-        fmt::format("{}: {} cannot be written", path_, part_of(object, name)));
+  attribute(object, name, H5T_NATIVE_DOUBLE, &value);
 }
 
 void Writer::attribute(const std::string& object, const std::string& name, std::int64_t value) {
-  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-  const Handle attribute(H5Acreate_by_name(file_.id(), object.c_str(), name.c_str(), H5T_NATIVE_INT64, space.id(),
-                                           H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-                         H5Aclose);
-  check(attribute.valid() && H5Awrite(attribute.id(), H5T_NATIVE_INT64, &value) >= 0,
-        fmt::format("{}: {} cannot be written", path_, part_of(object, name)));
+  attribute(object, name, H5T_NATIVE_INT64, &value);
 }
 
 void Writer::close() {

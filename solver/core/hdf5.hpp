@@ -63,6 +63,7 @@ class Writer {
 
  private:
   void dataset(const std::string& name, hid_t type, const void* values, const Rows& rows, std::size_t columns);
+  void attribute(const std::string& object, const std::string& name, hid_t type, const void* value);
   void check(bool fine, const std::string& failure) const;
   std::string path_;
   const Together* together_;

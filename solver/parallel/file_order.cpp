@@ -52,18 +52,13 @@ std::vector<Key> cuts_of(const std::vector<Member>& own, std::size_t count_of_al
 }
 
 /// The rows of bodies in the file, of which `part` has some.
-std::vector<Body> bodies_of_all(std::vector<Body> part) {
-  Words sizes;
-  for (const auto& body : part) sizes.push_back(body.range.size());
-  std::vector<std::size_t> sums(part.size(), 0);
-  for (const auto& of_rank : gather_on_all(sizes))
-    for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += of_rank[k];
-  std::size_t first = 0;
-  for (std::size_t k = 0; k < part.size(); ++k) {
-    part[k].range = {first, first + sums[k]};
-    first += sums[k];
-  }
-  return part;
+std::vector<Body> bodies_of_all(const std::vector<Body>& part) {
+  Words own;
+  for (const auto& body : part) own.push_back(body.range.size());
+  std::vector<std::size_t> sizes(part.size(), 0);
+  for (const auto& of_rank : gather_on_all(own))
+    for (std::size_t k = 0; k < sizes.size(); ++k) sizes[k] += of_rank[k];
+  return bodies_of_sizes(part, sizes);
 }
 
 }  // namespace

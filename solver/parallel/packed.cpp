@@ -22,7 +22,8 @@ void with_numbers(SomeParticles& particles, Field field, const Work& work) {
     work(particles.reals(field));
 }
 
-/// The bodies, by how many particles each now has.
+}  // namespace
+
 std::vector<Body> bodies_of_sizes(std::vector<Body> bodies, std::span<const std::size_t> sizes) {
   std::size_t first = 0;
   for (std::size_t k = 0; k < bodies.size(); ++k) {
@@ -31,8 +32,6 @@ std::vector<Body> bodies_of_sizes(std::vector<Body> bodies, std::span<const std:
   }
   return bodies;
 }
-
-}  // namespace
 
 PackedLayout::PackedLayout(const Particles& particles) {
   for (const auto& row : field_table)

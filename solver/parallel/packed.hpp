@@ -9,6 +9,9 @@
 
 namespace tektite {
 
+/// Bodies one behind the other, of so many particles each.
+std::vector<Body> bodies_of_sizes(std::vector<Body> bodies, std::span<const std::size_t> sizes);
+
 class PackedLayout {
  public:
   /// Of particles with these fields.
