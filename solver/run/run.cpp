@@ -98,21 +98,10 @@ Origin origin_of_all(const Origin& own) {
   return {std::string(words.begin() + 1, words.end()), words.front() != 0};
 }
 
-/// A rank beside the first one comes to the same faults, and leaves it to the first one to tell them and to end all;
-/// where that does not, this one does.
-bool compute_beside(const RunOptions& options) {
-  try {
-    return compute(options, origin_of_all({}));
-  } catch (const std::exception&) {
-    wait_to_be_ended();
-    throw;
-  }
-}
-
 }  // namespace
 
 bool run(const RunOptions& options) {
-  if (rank() > 0) return compute_beside(options);
+  if (rank() > 0) return compute(options, origin_of_all({}));
   if (!fs::is_directory(options.folder))
     throw InputError({{options.folder, 0}, {}, {}, "there is no such folder", "the folder of a run"});
   const auto lock = options.lock < 0 ? std::make_unique<RunLock>(options.folder)

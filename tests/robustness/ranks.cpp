@@ -213,6 +213,15 @@ TEST_CASE("Ranks: what is wrong is told once, whichever of them finds it") {
   const auto missing = small.program(on_ranks(2, small.solving("missing")));
   CHECK(missing.code == 2);
   CHECK(count_of("there is no such folder", missing.faults) == 1);
+  const auto with = [&](std::initializer_list<std::string> options) {
+    auto words = small.solving("missing");
+    words.insert(words.end(), options);
+    return small.program(on_ranks(2, words));
+  };
+  const auto wrong = with({"--end", "1s"});
+  CHECK(wrong.code == 2);
+  CHECK(count_of("--end goes with --resume", wrong.faults) == 1);
+  CHECK(count_of("Usage", with({"--help"}).output) == 1);
 
   // The last rank alone reads the last row.
   small.fill("broken");
