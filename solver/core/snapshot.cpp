@@ -8,6 +8,7 @@
 
 #include "core/apart.hpp"
 #include "core/hdf5.hpp"
+#include "core/rows_of_file.hpp"
 #include "core/seal.hpp"
 #include "core/version.hpp"
 #include "core/write_beside.hpp"
@@ -63,7 +64,7 @@ void check_numbers(const hdf5::Reader& file, const FieldInfo& field, std::span<c
 
 }  // namespace
 
-void write_rows(hdf5::Writer& file, const Snapshot& snapshot, const std::vector<Body>& bodies, const hdf5::Rows& rows) {
+void write_rows(hdf5::Writer& file, const Snapshot& snapshot, RowsOfFile& rows) {
   file.attribute("/", "format", std::string(format_name));
   file.attribute("/", "format_version", std::int64_t{particle_format_version});
   file.attribute("/", "tektite_version", std::string(version));
@@ -73,6 +74,7 @@ void write_rows(hdf5::Writer& file, const Snapshot& snapshot, const std::vector<
   file.group("/state");
   for (const auto& [name, value] : snapshot.state) file.attribute("/state", name, value);
   file.group("/bodies");
+  const auto& bodies = rows.bodies();
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     const auto object = fmt::format("/bodies/{:04}", k);
     file.group(object);
@@ -88,19 +90,41 @@ void write_rows(hdf5::Writer& file, const Snapshot& snapshot, const std::vector<
     const auto object = fmt::format("/particles/{}", row.name);
     const auto columns = static_cast<std::size_t>(particles.components(row.field));
     if (row.rank == Rank::integer)
-      file.integers(object, particles.integers(row.field).first(rows.count), columns, rows);
+      file.integers(object, rows.integers(row.field), columns, rows.rows());
     else
-      file.reals(object, particles.reals(row.field).first(rows.count * columns), columns, rows);
+      file.reals(object, rows.reals(row.field), columns, rows.rows());
     file.attribute(object, "unit", std::string(row.unit));
     file.attribute(object, "symbol", std::string(row.symbol));
   }
   file.close();
 }
 
+namespace {
+
+/// Of a process that has all.
+class AllRows : public RowsOfFile {
+ public:
+  explicit AllRows(const Particles& particles) : particles_(particles) {}
+  const std::vector<Body>& bodies() const override { return particles_.bodies(); }
+  hdf5::Rows rows() const override { return particles_.count(); }
+  std::span<const double> reals(Field field) override {
+    return particles_.reals(field).first(particles_.count() * static_cast<std::size_t>(particles_.components(field)));
+  }
+  std::span<const std::int64_t> integers(Field field) override {
+    return particles_.integers(field).first(particles_.count());
+  }
+
+ private:
+  const Particles& particles_;
+};
+
+}  // namespace
+
 void write_snapshot(const Snapshot& snapshot, const std::string& path) {
   write_beside(path, [&](const std::string& beside) {
     hdf5::Writer file(beside);
-    write_rows(file, snapshot, snapshot.particles.bodies(), snapshot.particles.count());
+    AllRows rows(snapshot.particles);
+    write_rows(file, snapshot, rows);
     seal(beside);
   });
 }

@@ -21,6 +21,8 @@ struct Rows;
 
 namespace tektite {
 
+class RowsOfFile;
+
 struct Snapshot {
   Particles particles;
   std::map<std::string, double> state;  ///< numbers by name; "time" in s is always there
@@ -34,8 +36,8 @@ inline constexpr int particle_format_version = 1;
 /// Writes beside and renames, so that `path` is either whole or as it was. Throws RunError.
 void write_snapshot(const Snapshot& snapshot, const std::string& path);
 
-/// Writes the file of these bodies, of whose particles the snapshot has some rows. Throws RunError.
-void write_rows(hdf5::Writer& file, const Snapshot& snapshot, const std::vector<Body>& bodies, const hdf5::Rows& rows);
+/// Writes a snapshot's file, of its particles these rows. Throws RunError.
+void write_rows(hdf5::Writer& file, const Snapshot& snapshot, RowsOfFile& rows);
 
 /// Throws InputError where the file is missing, foreign, newer than this program, or broken.
 Snapshot read_snapshot(const std::string& path);

@@ -33,9 +33,12 @@ std::vector<double> numbers_of_all(double own) {
 
 std::vector<Words> for_each_rank() { return std::vector<Words>(slot(ranks())); }
 
-Words joined(const std::vector<Words>& all) {
+Words joined(std::vector<Words> all) {
   Words words;
-  for (const auto& one : all) words.insert(words.end(), one.begin(), one.end());
+  for (auto& one : all) {
+    words.insert(words.end(), one.begin(), one.end());
+    one = {};
+  }
   return words;
 }
 
@@ -85,15 +88,15 @@ void Distribution::move(Particles& particles, Field places) {
   const auto own = owned_in(particles);
   const auto owners = new_owners(particles, places, own);
   for (std::size_t n = 0; n < own.size(); ++n) particles.integers(Field::owner)[own[n]] = owners[n];
+  std::vector<std::vector<std::uint32_t>> members(slot(ranks()));
+  for (std::size_t n = 0; n < own.size(); ++n) members[slot(owners[n])].push_back(own[n]);
   const PackedLayout layout(particles);
   auto to = for_each_rank();
-  for (int r = 0; r < ranks(); ++r) {
-    std::vector<std::uint32_t> members;
-    for (std::size_t n = 0; n < own.size(); ++n)
-      if (owners[n] == r) members.push_back(own[n]);
-    layout.pack(particles, members, to[slot(r)]);
-  }
-  particles = layout.build(particles, joined(exchange_words(to)));
+  for (std::size_t r = 0; r < to.size(); ++r)
+    if (r != slot(rank())) layout.pack(particles, members[r], to[r]);
+  auto from = exchange_words(to);
+  to = {};
+  layout.join(particles, members[slot(rank())], joined(std::move(from)));
   const auto seconds = numbers_of_all(std::chrono::duration<double>(Clock::now() - start).count());
   moving_ = std::ranges::max(seconds);
   fresh_step_ = lost_ = 0.0;
@@ -154,37 +157,31 @@ void add_copies(Particles& particles, const Halo& halo, const std::vector<Symmet
     }
     layout.pack(particles, copied, to[slot(r)]);
   }
+  auto from = exchange_words(to);
+  to = {};
   std::vector<std::uint32_t> all(particles.count());
   std::iota(all.begin(), all.end(), 0U);
-  Words records;
-  layout.pack(particles, all, records);
-  const auto copies = joined(exchange_words(to));
-  records.insert(records.end(), copies.begin(), copies.end());
-  particles = layout.build(particles, records);
+  layout.join(particles, all, joined(std::move(from)));
 }
 
 }  // namespace
 
-Particles Distribution::with_copies(const Particles& particles, const Halos& halos, Sent& sent) const {
-  const auto old = owned_in(particles);
-  const PackedLayout layout(particles);
-  Words records;
-  layout.pack(particles, old, records);
-  auto copied = layout.build(particles, records);
-  sent.assign(slot(ranks()), std::vector<std::uint8_t>(old.size(), 0));
-  for (const auto& halo : halos) add_copies(copied, halo, symmetry_, sent);
-  return copied;
+Distribution::Sent Distribution::add_copies_to(Particles& own, const Halos& halos) const {
+  Sent sent(slot(ranks()), std::vector<std::uint8_t>(own.count(), 0));
+  for (const auto& halo : halos) add_copies(own, halo, symmetry_, sent);
+  return sent;
 }
 
 Particles Distribution::with_copies(const Particles& particles, const Halos& halos) const {
-  Sent sent;
-  return with_copies(particles, halos, sent);
+  auto all = PackedLayout(particles).joined(particles, owned_in(particles), {});
+  add_copies_to(all, halos);
+  return all;
 }
 
 /// The own particles, and copies of all others in the halos.
 void Distribution::fetch_copies(Particles& particles, const Halos& halos) {
-  Sent sent;
-  particles = with_copies(particles, halos, sent);
+  PackedLayout(particles).join(particles, owned_in(particles), {});
+  const auto sent = add_copies_to(particles, halos);
 
   // Both sides have what goes from one to the other in the order of memory, which is the same for both.
   to_.assign(sent.size(), {});

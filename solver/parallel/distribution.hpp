@@ -39,7 +39,7 @@ class Distribution {
   std::vector<int> new_owners(const Particles& particles, Field places, const std::vector<std::uint32_t>& own) const;
   /// Who has been sent to each rank, a byte for each of the own particles.
   using Sent = std::vector<std::vector<std::uint8_t>>;
-  Particles with_copies(const Particles& particles, const Halos& halos, Sent& sent) const;
+  Sent add_copies_to(Particles& own, const Halos& halos) const;
   void move(Particles& particles, Field places);
   void fetch_copies(Particles& particles, const Halos& halos);
   void refresh(Particles& particles, const PackedLayout& layout);

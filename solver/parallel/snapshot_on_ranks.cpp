@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <numeric>
-#include <utility>
 
 #include "core/seal.hpp"
 #include "core/write_beside.hpp"
@@ -42,13 +41,15 @@ Snapshot read_snapshot_on_ranks(const std::string& path) {
 
 namespace {
 
-/// Bytes of a file with these rows, generously.
-std::size_t size_of_file(const Snapshot& snapshot, const FileRows& rows) {
+/// Bytes of a file with all particles, generously.
+std::size_t size_of_file(const Snapshot& snapshot) {
   constexpr std::size_t number = sizeof(double), of_object = 4096;
-  std::size_t bytes = snapshot.scene.size() + of_object * (field_count + rows.bodies.size() + snapshot.state.size());
+  const auto& particles = snapshot.particles;
+  std::size_t bytes =
+      snapshot.scene.size() + of_object * (field_count + particles.bodies().size() + snapshot.state.size());
   for (const auto& row : field_table)
-    if (saved(row.keep) && rows.particles.has(row.field))
-      bytes += rows.rows.all * number * static_cast<std::size_t>(rows.particles.components(row.field));
+    if (saved(row.keep) && particles.has(row.field))
+      bytes += count_of_all(particles) * number * static_cast<std::size_t>(particles.components(row.field));
   return bytes;
 }
 
@@ -65,9 +66,8 @@ bool take_room(const std::string& path, std::size_t bytes) {
 }  // namespace
 
 void write_snapshot_on_ranks(const Snapshot& snapshot, const std::string& path) {
-  auto rows = in_file_order(snapshot.particles);
-  const auto bytes = size_of_file(snapshot, rows);
-  const Snapshot part{std::move(rows.particles), snapshot.state, snapshot.scene};
+  FileOrder rows(snapshot.particles);
+  const auto bytes = size_of_file(snapshot);
   const auto together = file_of_all_ranks();
   // Where a disk becomes full in their midst, processes that write an HDF5 file together wait for each other for ever:
   // the room is taken before, and again when the file is there, which gives it back.
@@ -79,7 +79,7 @@ void write_snapshot_on_ranks(const Snapshot& snapshot, const std::string& path) 
     check_room(beside);
     hdf5::Writer file(beside, together.get());
     check_room(beside);
-    write_rows(file, part, rows.bodies, rows.rows);
+    write_rows(file, snapshot, rows);
   };
   if (rank() > 0) return write(path + part_ending);
   write_beside(path, [&](const std::string& beside) {

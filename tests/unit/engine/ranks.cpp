@@ -71,7 +71,7 @@ TEST_CASE("Order: particles stand by cells and ids, whatever their order was bef
   }
 }
 
-TEST_CASE("Packed particles: records in any order become particles in the order of bodies, sequence and ids") {
+TEST_CASE("Packed particles: members and records in any order stand in the order of bodies, sequence and ids") {
   auto particles = test::filled_particles(Space::solid);
   particles.allocate(Field::sequence);
   particles.allocate(Field::owner);
@@ -79,9 +79,15 @@ TEST_CASE("Packed particles: records in any order become particles in the order 
   std::iota(sequence.begin(), sequence.end(), std::int64_t{0});
   const PackedLayout layout(particles);
   Words words;
-  const std::vector<std::uint32_t> order{3, 0, 6, 5, 1, 2, 4};
-  layout.pack(particles, order, words);
-  const auto built = layout.build(particles, words);
+  layout.pack(particles, std::vector<std::uint32_t>{3, 6, 1, 4}, words);
+  const std::vector<std::uint32_t> members{5, 0, 2};
+  auto built = layout.joined(particles, members, words);
+  if (GENERATE(false, true)) {
+    built = particles;
+    built.allocate(Field::half_pressure);  // which no record has
+    layout.join(built, members, words);
+    CHECK_FALSE(built.has(Field::half_pressure));
+  }
   REQUIRE(built.bodies().size() == particles.bodies().size());
   for (std::size_t k = 0; k < built.bodies().size(); ++k) {
     CHECK(built.bodies()[k].range.begin == particles.bodies()[k].range.begin);
