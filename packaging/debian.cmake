@@ -13,7 +13,7 @@ set(CPACK_DEBIAN_PROGRAMS_PACKAGE_NAME tektite)
 set(CPACK_DEBIAN_PROGRAMS_DESCRIPTION "high-velocity impact of solids with smoothed particle hydrodynamics
  Takes a scene, a text file with bodies, materials and an impact, to measured
  numbers, files for ParaView and pictures.")
-# The libraries that the programs are linked with are found by dpkg-shlibdeps; pictures need a private X server.
+# The libraries that the programs are linked with are found by dpkg-shlibdeps; charts of studies need a private X server.
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_RECOMMENDS "xvfb, xauth, libgl1-mesa-dri")
 

@@ -1,76 +1,22 @@
 #include "postprocess/render/annotations.hpp"
 
 #include <fmt/format.h>
-#include <vtkActor2D.h>
-#include <vtkCamera.h>
-#include <vtkCellArray.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkPolyDataMapper2D.h>
-#include <vtkProperty2D.h>
-#include <vtkRenderer.h>
-#include <vtkScalarBarActor.h>
-#include <vtkScalarsToColors.h>
-#include <vtkSmartPointer.h>
-#include <vtkTextActor.h>
-#include <vtkTextProperty.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "postprocess/render/colours.hpp"
+#include "postprocess/render/axis.hpp"
+#include "postprocess/render/text.hpp"
 #include "postprocess/shown_unit.hpp"
 
 namespace tektite {
 namespace {
 
-struct Pixel {
-  double x = 0.0;
-  double y = 0.0;
-};
+constexpr Colour black{0.0, 0.0, 0.0};
+constexpr Colour white{1.0, 1.0, 1.0};
 
-/// Lengths on a picture are relative to its height, so that a larger picture shows the same.
-double text_size(vtkRenderer* renderer, double share) { return share * renderer->GetSize()[1]; }
-
-vtkSmartPointer<vtkTextActor> add_text(vtkRenderer* renderer, const std::string& text, const Pixel& at, double size) {
-  auto actor = vtkSmartPointer<vtkTextActor>::New();
-  actor->SetInput(text.c_str());
-  actor->GetPositionCoordinate()->SetCoordinateSystemToViewport();
-  actor->SetPosition(at.x, at.y);
-  actor->GetTextProperty()->SetFontSize(static_cast<int>(size));
-  actor->GetTextProperty()->SetColor(0.0, 0.0, 0.0);
-  renderer->AddActor2D(actor);
-  return actor;
-}
-
-void add_lines(vtkRenderer* renderer, const std::vector<std::pair<Pixel, Pixel>>& lines, double width,
-               const Colour& colour) {
-  const auto points = vtkSmartPointer<vtkPoints>::New();
-  const auto cells = vtkSmartPointer<vtkCellArray>::New();
-  for (const auto& [from, to] : lines) {
-    const vtkIdType ends[] = {points->InsertNextPoint(from.x, from.y, 0.0), points->InsertNextPoint(to.x, to.y, 0.0)};
-    cells->InsertNextCell(2, ends);
-  }
-  const auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(points);
-  data->SetLines(cells);
-  const auto mapper = vtkSmartPointer<vtkPolyDataMapper2D>::New();
-  mapper->SetInputData(data);
-  const auto actor = vtkSmartPointer<vtkActor2D>::New();
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
-  actor->GetProperty()->SetLineWidth(static_cast<float>(width));
-  renderer->AddActor2D(actor);
-}
-
-Pixel to_pixel(vtkRenderer* renderer, const Point& point) {
-  double x = point[0];
-  double y = point[1];
-  double z = point[2];
-  renderer->WorldToView(x, y, z);
-  const auto* size = renderer->GetSize();
-  return {0.5 * (x + 1.0) * size[0], 0.5 * (y + 1.0) * size[1]};
-}
+// Lengths on a picture are relative to the height of what they stand on, so that a larger picture shows the same.
+constexpr double words_size = 0.026;
 
 /// The largest of 1, 2, 5 times a power of ten that is not above `most`.
 double round_length(double most) {
@@ -81,7 +27,7 @@ double round_length(double most) {
 }
 
 /// One line with ticks across its ends; black on a white rim, to be seen on every colour.
-void add_dimension_line(vtkRenderer* renderer, Pixel from, Pixel to, double shift, const std::string& label) {
+void add_dimension_line(Canvas& canvas, double height, Pixel from, Pixel to, double shift, const std::string& label) {
   const double length = std::max(1e-9, std::hypot(to.x - from.x, to.y - from.y));
   Pixel across{-(to.y - from.y) / length, (to.x - from.x) / length};
   if (across.y > 0.0 || (across.y == 0.0 && across.x < 0.0)) across = {-across.x, -across.y};
@@ -89,102 +35,95 @@ void add_dimension_line(vtkRenderer* renderer, Pixel from, Pixel to, double shif
     end->x += shift * across.x;
     end->y += shift * across.y;
   }
-  const double tick = text_size(renderer, 0.012);
+  const double tick = 0.012 * height;
   const auto tick_at = [&](const Pixel& end) {
     return std::pair{Pixel{end.x - tick * across.x, end.y - tick * across.y},
                      Pixel{end.x + tick * across.x, end.y + tick * across.y}};
   };
   const std::vector<std::pair<Pixel, Pixel>> lines{{from, to}, tick_at(from), tick_at(to)};
-  add_lines(renderer, lines, 4.5, {1.0, 1.0, 1.0});
-  add_lines(renderer, lines, 2.0, {0.0, 0.0, 0.0});
+  canvas.lines(lines, 4.5, white);
+  canvas.lines(lines, 2.0, black);
   const bool upright = std::abs(to.y - from.y) > std::abs(to.x - from.x);
-  const double gap = text_size(renderer, 0.01);
+  const double gap = 0.01 * height;
   // To the left of an upright line's upper quarter, where the lines across it leave room; else at the right end.
   const auto& right = to.x > from.x ? to : from;
   const double upper_quarter = std::min(from.y, to.y) + 0.75 * std::abs(to.y - from.y);
   const Pixel anchor = upright ? Pixel{0.5 * (from.x + to.x) - gap, upper_quarter} : Pixel{right.x + gap, right.y};
-  const auto text = add_text(renderer, label, anchor, text_size(renderer, 0.026));
-  if (upright) text->GetTextProperty()->SetJustificationToRight();
-  text->GetTextProperty()->SetBackgroundColor(1.0, 1.0, 1.0);
-  text->GetTextProperty()->SetBackgroundOpacity(0.8);
-  text->GetTextProperty()->SetVerticalJustificationToCentered();
+  write(canvas, label, anchor,
+        {.size = words_size * height,
+         .across = upright ? Across::right : Across::left,
+         .upwards = Upwards::centre,
+         .background = 0.8});
 }
 
 }  // namespace
 
-void add_title(vtkRenderer* overlay, const std::string& title, const std::string& subtitle) {
-  const auto* size = overlay->GetSize();
-  add_text(overlay, title, {0.03 * size[0], 0.945 * size[1]}, text_size(overlay, 0.032));
-  add_text(overlay, subtitle, {0.03 * size[0], 0.905 * size[1]}, text_size(overlay, 0.026));
+void add_title(Canvas& canvas, const std::string& title, const std::string& subtitle) {
+  const double left = 0.03 * canvas.width(), height = canvas.height();
+  write(canvas, title, {left, 0.945 * height}, {.size = 0.032 * height});
+  write(canvas, subtitle, {left, 0.905 * height}, {.size = words_size * height});
 }
 
-void add_colour_bar(vtkRenderer* overlay, vtkScalarsToColors* colours, const std::string& title) {
-  const auto* size = overlay->GetSize();
-  const auto bar = vtkSmartPointer<vtkScalarBarActor>::New();
-  bar->SetLookupTable(colours);
-  bar->SetNumberOfLabels(6);
-  bar->SetLabelFormat("%.3g");
-  bar->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  bar->SetPosition(0.88, 0.12);
-  bar->SetWidth(0.09);
-  bar->SetHeight(0.7);
-  bar->SetBarRatio(0.3);
-  bar->UnconstrainedFontSizeOn();
-  auto* labels = bar->GetLabelTextProperty();
-  labels->SetFontSize(static_cast<int>(text_size(overlay, 0.024)));
-  labels->SetColor(0.0, 0.0, 0.0);
-  labels->ItalicOff();
-  labels->BoldOff();
-  labels->ShadowOff();
-  overlay->AddActor2D(bar);
-  const auto text = add_text(overlay, title, {0.98 * size[0], 0.84 * size[1]}, text_size(overlay, 0.026));
-  text->GetTextProperty()->SetJustificationToRight();
+void add_colour_bar(Canvas& canvas, const std::pair<double, double>& range, const std::string& name,
+                    const std::string& si_unit) {
+  const double width = canvas.width(), height = canvas.height();
+  const double left = std::round(0.88 * width), right = std::round(0.908 * width);
+  const int lower = static_cast<int>(std::lround(0.125 * height)), upper = static_cast<int>(std::lround(0.82 * height));
+  for (int y = lower; y < upper; ++y)
+    canvas.rectangle({left, y + 0.0}, {right, y + 1.0}, continuous_colour((y + 0.5 - lower) / (upper - lower)));
+  const auto unit = shown_unit(std::max(std::abs(range.first), std::abs(range.second)), si_unit);
+  constexpr int labels = 6;
+  const double step = unit.factor * (range.second - range.first) / (labels - 1);
+  for (int k = 0; k < labels; ++k) {
+    const double share = static_cast<double>(k) / (labels - 1);
+    const double value = unit.factor * range.first + k * step;
+    write(canvas, fmt::format("{:.3g}", without_round_off(value, step)),
+          {right + 0.005 * width, lower + share * (upper - lower)},
+          {.size = 0.024 * height, .upwards = Upwards::centre});
+  }
+  write(canvas, name + (unit.label.empty() ? "" : ", " + unit.label), {0.98 * width, 0.84 * height},
+        {.size = words_size * height, .across = Across::right});
 }
 
-void add_legend(vtkRenderer* overlay, const std::vector<Category>& categories) {
-  const auto* size = overlay->GetSize();
-  const double line = text_size(overlay, 0.045);
-  std::size_t longest = 0;
-  for (const auto& category : categories) longest = std::max(longest, category.name.size());
-  // A letter is about 0.55 of the font's size wide; a long name moves the legend to the left.
-  const double width = 0.7 * line + 0.55 * text_size(overlay, 0.026) * static_cast<double>(longest);
-  const double left = std::min(0.87 * size[0], 0.985 * size[0] - width);
-  const double top = 0.8 * size[1], bottom = 0.1 * size[1];
+void add_legend(Canvas& canvas, const std::vector<Category>& categories) {
+  const double width = canvas.width(), height = canvas.height();
+  const double line = 0.045 * height;
+  double longest = 0.0;
+  for (const auto& category : categories) longest = std::max(longest, width_of(category.name, words_size * height));
+  // A long name moves the legend to the left.
+  const double left = std::min(0.87 * width, 0.985 * width - 0.7 * line - longest);
+  const double top = 0.8 * height, bottom = 0.1 * height;
   const auto room = static_cast<std::size_t>((top - bottom) / line);
   const std::size_t named = categories.size() > room ? room - 1 : categories.size();
-  const auto write = [&](const std::string& words, const Pixel& at) {
-    const auto text = add_text(overlay, words, {at.x + 0.7 * line, at.y}, text_size(overlay, 0.026));
-    text->GetTextProperty()->SetVerticalJustificationToCentered();
+  const auto write_at = [&](const std::string& words, double y) {
+    write(canvas, words, {left + 0.7 * line, y}, {.size = words_size * height, .upwards = Upwards::centre});
   };
   for (std::size_t k = 0; k < named; ++k) {
-    const Pixel at{left, top - line * static_cast<double>(k)};
-    add_lines(overlay, {{at, {at.x + 0.5 * line, at.y}}}, 0.5 * line, categories[k].colour);
-    write(categories[k].name, at);
+    const double y = top - line * static_cast<double>(k);
+    canvas.rectangle({left, y - 0.25 * line}, {left + 0.5 * line, y + 0.25 * line}, categories[k].colour);
+    write_at(categories[k].name, y);
   }
   if (named < categories.size())
-    write(fmt::format("and {} more", categories.size() - named), {left, top - line * static_cast<double>(named)});
+    write_at(fmt::format("and {} more", categories.size() - named), top - line * static_cast<double>(named));
 }
 
-void add_scale_bar(vtkRenderer* overlay, vtkRenderer* scene) {
-  const auto* size = overlay->GetSize();
-  const double metres_per_pixel = 2.0 * scene->GetActiveCamera()->GetParallelScale() / scene->GetSize()[1];
-  const double length = round_length(0.2 * scene->GetSize()[0] * metres_per_pixel);
-  const double pixels = length / metres_per_pixel;
-  const Pixel from{0.03 * size[0], 0.045 * size[1]};
-  const Pixel to{from.x + pixels, from.y};
-  const double tick = text_size(overlay, 0.01);
-  add_lines(
-      overlay,
+void add_scale_bar(Canvas& canvas, const Camera& camera, const Frame& scene) {
+  const double length = round_length(0.2 * scene.width() / camera.scale);
+  const double height = canvas.height();
+  const Pixel from{0.03 * canvas.width(), 0.045 * height};
+  const Pixel to{from.x + length * camera.scale, from.y};
+  const double tick = 0.01 * height;
+  canvas.lines(
       {{from, to}, {{from.x, from.y - tick}, {from.x, from.y + tick}}, {{to.x, to.y - tick}, {to.x, to.y + tick}}}, 3.0,
-      {0.0, 0.0, 0.0});
+      black);
   const auto unit = shown_unit(length, "m");
-  const auto text = add_text(overlay, fmt::format("{:.3g} {}", length * unit.factor, unit.label),
-                             {to.x + 2.0 * tick, to.y}, text_size(overlay, 0.026));
-  text->GetTextProperty()->SetVerticalJustificationToCentered();
+  write(canvas, fmt::format("{:.3g} {}", length * unit.factor, unit.label), {to.x + 2.0 * tick, to.y},
+        {.size = words_size * height, .upwards = Upwards::centre});
 }
 
-void add_dimension_lines(vtkRenderer* scene, const std::vector<DimensionLine>& lines) {
-  const double step = text_size(scene, 0.05);
+void add_dimension_lines(Canvas& canvas, const Camera& camera, const Frame& scene,
+                         const std::vector<DimensionLine>& lines) {
+  const double height = scene.height();
   std::vector<Segment> placed;
   for (const auto& line : lines) {
     const auto direction = line.segment.to - line.segment.from;
@@ -194,8 +133,8 @@ void add_dimension_lines(vtkRenderer* scene, const std::vector<DimensionLine>& l
     };
     const auto before = std::count_if(placed.begin(), placed.end(), parallel);
     placed.push_back(line.segment);
-    add_dimension_line(scene, to_pixel(scene, line.segment.from), to_pixel(scene, line.segment.to),
-                       step * static_cast<double>(before), line.label);
+    add_dimension_line(canvas, height, camera(line.segment.from), camera(line.segment.to),
+                       0.05 * height * static_cast<double>(before), line.label);
   }
 }
 

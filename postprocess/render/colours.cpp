@@ -1,7 +1,9 @@
 #include "postprocess/render/colours.hpp"
 
 #include <vtkColorTransferFunction.h>
-#include <vtkLookupTable.h>
+#include <vtkSmartPointer.h>
+
+#include <algorithm>
 
 namespace tektite {
 namespace {
@@ -24,28 +26,28 @@ constexpr std::array<Colour, 7> okabe_ito{{{0.90, 0.62, 0.00},
                                            {0.35, 0.70, 0.90},
                                            {0.95, 0.90, 0.25}}};
 
-}  // namespace
+/// More colours than eyes or the bytes of a picture tell apart.
+constexpr int steps = 1024;
 
-vtkSmartPointer<vtkScalarsToColors> continuous_colours(double least, double most) {
-  auto colours = vtkSmartPointer<vtkColorTransferFunction>::New();
-  colours->SetColorSpaceToLab();
+std::array<Colour, steps> interpolated() {
+  const auto function = vtkSmartPointer<vtkColorTransferFunction>::New();
+  function->SetColorSpaceToLab();
   for (std::size_t k = 0; k < viridis.size(); ++k) {
-    const double share = static_cast<double>(k) / static_cast<double>(viridis.size() - 1);
     const auto& [red, green, blue] = viridis[k];
-    colours->AddRGBPoint(least + share * (most - least), red / 255.0, green / 255.0, blue / 255.0);
+    function->AddRGBPoint(static_cast<double>(k) / static_cast<double>(viridis.size() - 1), red / 255.0, green / 255.0,
+                          blue / 255.0);
   }
-  return colours;
+  std::array<Colour, steps> table;
+  function->GetTable(0.0, 1.0, steps, table.front().data());
+  return table;
 }
 
-vtkSmartPointer<vtkScalarsToColors> listed_colours(const std::vector<Colour>& list) {
-  auto colours = vtkSmartPointer<vtkLookupTable>::New();
-  colours->SetNumberOfTableValues(static_cast<vtkIdType>(list.size()));
-  colours->SetTableRange(-0.5, static_cast<double>(list.size()) - 0.5);
-  for (std::size_t k = 0; k < list.size(); ++k) {
-    const auto& [red, green, blue] = list[k];
-    colours->SetTableValue(static_cast<vtkIdType>(k), red, green, blue);
-  }
-  return colours;
+}  // namespace
+
+const Colour& continuous_colour(double share) {
+  static const auto table = interpolated();
+  const double within = share > 0.0 ? std::min(share, 1.0) : 0.0;
+  return table[static_cast<std::size_t>(within * (steps - 1) + 0.5)];
 }
 
 const Colour& distinct_colour(std::size_t k) { return okabe_ito[k % okabe_ito.size()]; }

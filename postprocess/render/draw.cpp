@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <mutex>
 
 #include "core/error.hpp"
-#include "postprocess/render/apart.hpp"
 #include "postprocess/render/chart.hpp"
 #include "postprocess/render/particle_picture.hpp"
 #include "postprocess/render/profile.hpp"
@@ -25,14 +25,21 @@ std::vector<std::string> snapshots_of(const Picture& picture, const Drawing& dra
   return chosen;
 }
 
+/// HDF5 is one thread's at a time.
+Snapshot read_alone(const std::string& file) {
+  static std::mutex reading;
+  const std::scoped_lock lock(reading);
+  return read_snapshot(file);
+}
+
 /// Draws one picture, which is several files where it shows several times; tells each path.
-void draw_one(const Picture& picture, const Drawing& drawing, ParticlePictures& particles, const Tell& tell) {
+void draw_one(const Picture& picture, const Drawing& drawing, std::vector<std::string>& told) {
   const auto folder = fs::path(drawing.run.path) / "pictures";
   if (picture.type == PictureType::history) {
     if (!drawing.run.history) throw RunError("there is no history.csv");
     const auto path = (folder / (picture.name + ".png")).string();
     draw_history(picture, *drawing.run.history, drawing.scene, path);
-    tell("picture: " + path);
+    told.push_back("picture: " + path);
     return;
   }
   for (const auto& file : snapshots_of(picture, drawing)) {
@@ -40,31 +47,28 @@ void draw_one(const Picture& picture, const Drawing& drawing, ParticlePictures& 
     const bool series = picture.all_times || !picture.times.empty();
     const auto name = series ? fmt::format("{}_{}", picture.name, fs::path(file).stem().string()) : picture.name;
     const auto path = (folder / (name + ".png")).string();
-    const auto draw = [&](const Snapshot& snapshot) {
-      if (picture.type == PictureType::profile)
-        draw_profile(picture, snapshot, drawing, path);
-      else
-        particles.draw(picture, snapshot, drawing, path);
-    };
+    auto* const draw = picture.type == PictureType::profile ? draw_profile : draw_particles;
     if (is_last)
-      draw(drawing.event.last_snapshot);
+      draw(picture, drawing.event.last_snapshot, drawing, path);
     else
-      draw(read_snapshot(file));
-    tell("picture: " + path);
+      draw(picture, read_alone(file), drawing, path);
+    told.push_back("picture: " + path);
   }
 }
 
 }  // namespace
 
 std::vector<std::string> draw_pictures(const std::vector<Picture>& pictures, const Drawing& drawing) {
-  return draw_apart([&](const Tell& tell) {
-    ParticlePictures particles;
-    for (const auto& picture : pictures) try {
-        draw_one(picture, drawing, particles, tell);
-      } catch (const std::exception& fault) {
-        tell(fmt::format("warning: no picture {}: {}", picture.name, fault.what()));
-      }
-  });
+  std::vector<std::vector<std::string>> told(pictures.size());
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t k = 0; k < pictures.size(); ++k) try {
+      draw_one(pictures[k], drawing, told[k]);
+    } catch (const std::exception& fault) {
+      told[k].push_back(fmt::format("warning: no picture {}: {}", pictures[k].name, fault.what()));
+    }
+  std::vector<std::string> all;
+  for (const auto& lines : told) all.insert(all.end(), lines.begin(), lines.end());
+  return all;
 }
 
 }  // namespace tektite

@@ -1,5 +1,5 @@
 #pragma once
-// The door to the drawing: VTK's renderer lives behind it, in a process of its own.
+// All pictures of a run.
 
 #include <string>
 #include <vector>
@@ -17,8 +17,7 @@ struct Drawing {
   const std::vector<Measurement>& measurements;
 };
 
-/// Draws each picture to DIR/pictures/ and returns what is to be told: a path a picture, or why there is none. VTK ends
-/// the process where it has no X server or loses it; so a child draws, on a private X server, and this one goes on.
+/// Draws each picture to DIR/pictures/ and returns what is to be told: a path a picture, or why there is none.
 std::vector<std::string> draw_pictures(const std::vector<Picture>& pictures, const Drawing& drawing);
 
 }  // namespace tektite

@@ -1,8 +1,5 @@
 #include "postprocess/render/framing.hpp"
 
-#include <vtkCamera.h>
-#include <vtkRenderer.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -75,32 +72,27 @@ std::optional<SymmetryPlane> cut_of(const Picture& picture, const Scene& scene) 
   return cut;
 }
 
-void aim_camera(vtkRenderer* renderer, const Box& box, int dimensions, const Picture& picture,
-                const std::optional<SymmetryPlane>& cut) {
+Camera aimed_camera(const Frame& frame, const Box& box, int dimensions, const Picture& picture,
+                    const std::optional<SymmetryPlane>& cut) {
   const auto looking = look(dimensions, picture, cut);
-  const auto right = unit(cross(looking.up, looking.from));
-  const auto up = cross(looking.from, right);
+  Camera camera;
+  camera.from = looking.from;
+  camera.right = unit(cross(looking.up, looking.from));
+  camera.up = cross(looking.from, camera.right);
+  camera.centre = box.centre();
+  camera.middle = {frame.left + 0.5 * frame.width(), frame.lower + 0.5 * frame.height()};
   double half_width = 0.0;
   double half_height = 0.0;
   for (int corner = 0; corner < 8; ++corner) {
     Point point;
     for (int k = 0; k < 3; ++k) point[k] = (corner >> k & 1) != 0 ? box.high[k] : box.low[k];
-    const auto apart = point - box.centre();
-    half_width = std::max(half_width, std::abs(dot(apart, right)));
-    half_height = std::max(half_height, std::abs(dot(apart, up)));
+    const auto apart = point - camera.centre;
+    half_width = std::max(half_width, std::abs(dot(apart, camera.right)));
+    half_height = std::max(half_height, std::abs(dot(apart, camera.up)));
   }
-  const auto* size = renderer->GetSize();
-  const double aspect = static_cast<double>(size[0]) / static_cast<double>(size[1]);
   constexpr double margin = 1.04;
-  auto* camera = renderer->GetActiveCamera();
-  camera->ParallelProjectionOn();
-  camera->SetParallelScale(margin * std::max(half_height, half_width / aspect));
-  const auto centre = box.centre();
-  const auto position = centre + 2.0 * std::max(box.diagonal(), 1e-9) * looking.from;
-  camera->SetFocalPoint(centre.c);
-  camera->SetPosition(position.c);
-  camera->SetViewUp(up.c);
-  renderer->ResetCameraClippingRange();
+  camera.scale = 0.5 / margin * std::min(frame.width() / half_width, frame.height() / half_height);
+  return camera;
 }
 
 }  // namespace tektite

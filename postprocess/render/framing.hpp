@@ -5,9 +5,8 @@
 #include <vector>
 
 #include "postprocess/measure/measure.hpp"
+#include "postprocess/render/canvas.hpp"
 #include "postprocess/render/picture.hpp"
-
-class vtkRenderer;
 
 namespace tektite {
 
@@ -34,10 +33,24 @@ Box framed(const Picture& picture, const Whole& whole, const std::vector<bool>& 
 /// cut takes away what is on the camera's side of it.
 std::optional<SymmetryPlane> cut_of(const Picture& picture, const Scene& scene);
 
-/// Points a parallel camera at the box so that it fills the renderer's viewport: a plane scene face on, a solid one
-/// from the direction that the picture names, or else obliquely, into the cut where there is one. Parallel, so that the
-/// scale bar and the lines of the measures hold everywhere.
-void aim_camera(vtkRenderer* renderer, const Box& box, int dimensions, const Picture& picture,
-                const std::optional<SymmetryPlane>& cut);
+/// Where points of the scene are on a canvas. It looks along parallel lines, so that the scale bar and the lines of the
+/// measures hold everywhere.
+struct Camera {
+  Point right, up, from;  ///< unit vectors; `from` points towards the camera
+  Point centre;           ///< what is seen in the middle
+  Pixel middle;
+  double scale = 1.0;  ///< pixels a metre
+
+  Pixel operator()(const Point& point) const {
+    return {middle.x + scale * dot(point - centre, right), middle.y + scale * dot(point - centre, up)};
+  }
+  /// How near a point is to the camera, in pixels.
+  double nearness(const Point& point) const { return scale * dot(point - centre, from); }
+};
+
+/// The camera in whose picture the box fills the frame: a plane scene face on, a solid one from the direction that the
+/// picture names, or else obliquely, into the cut where there is one.
+Camera aimed_camera(const Frame& frame, const Box& box, int dimensions, const Picture& picture,
+                    const std::optional<SymmetryPlane>& cut);
 
 }  // namespace tektite

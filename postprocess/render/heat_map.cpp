@@ -10,7 +10,7 @@
 #include <vtkPen.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
-#include <vtkScalarsToColors.h>
+#include <vtkStdString.h>
 #include <vtkTextProperty.h>
 
 #include <algorithm>
@@ -54,7 +54,6 @@ class HeatMapItem : public vtkContextItem {
     const auto columns = std::min<std::size_t>(most_columns, map.panels.size());
     const auto rows = (map.panels.size() + columns - 1) / columns;
     const float step_x = left + panel_width + right, step_y = below + panel_height + above;
-    colours_ = continuous_colours(0.0, map.largest);
     for (std::size_t k = 0; k < map.panels.size(); ++k) {
       const std::size_t row = rows - 1 - k / columns;
       paint_panel(painter, map.panels[k],
@@ -75,8 +74,8 @@ class HeatMapItem : public vtkContextItem {
     } else if (value <= map.level) {
       painter->GetBrush()->SetColor(255, 255, 255, 255);
     } else {
-      const auto* rgb = colours_->MapValue(std::min(value, map.largest));
-      painter->GetBrush()->SetColor(rgb[0], rgb[1], rgb[2], 255);
+      const auto& [red, green, blue] = continuous_colour(value / map.largest);
+      painter->GetBrush()->SetColorF(red, green, blue);
     }
   }
 
@@ -140,8 +139,6 @@ class HeatMapItem : public vtkContextItem {
             fmt::format("{:.2g}{}", part * map.largest, part == 1.0 ? " and more" : ""), 17, false);
     write(painter, box.x + box.width + 100.0F, box.y + 0.5F * box.height, map.value_title, 19, true, 90.0);
   }
-
-  vtkSmartPointer<vtkScalarsToColors> colours_;
 };
 vtkStandardNewMacro(HeatMapItem);
 

@@ -26,7 +26,7 @@ struct LineChart {
   int width = 1600, height = 1000;  ///< in pixels
 };
 
-/// Draws it to a PNG file. Needs an X server.
+/// Draws it to a PNG file, with a legend beside the lines, not over them. Throws RunError.
 void draw_line_chart(const LineChart& chart, const std::string& path);
 
 }  // namespace tektite

@@ -1,23 +1,18 @@
 #include "postprocess/render/particle_picture.hpp"
 
 #include <fmt/format.h>
-#include <vtkActor.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
-#include <vtkRendererCollection.h>
-#include <vtkScalarsToColors.h>
-#include <vtkSmartPointer.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "core/error.hpp"
 #include "postprocess/render/annotations.hpp"
+#include "postprocess/render/canvas.hpp"
 #include "postprocess/render/categories.hpp"
-#include "postprocess/render/colours.hpp"
 #include "postprocess/render/framing.hpp"
-#include "postprocess/render/image.hpp"
-#include "postprocess/render/particle_actors.hpp"
+#include "postprocess/render/paint_particles.hpp"
+#include "postprocess/render/png.hpp"
 #include "postprocess/render/words.hpp"
 #include "postprocess/scalar_field.hpp"
 #include "postprocess/shown_unit.hpp"
@@ -59,10 +54,17 @@ std::pair<double, double> usual_range(const std::string& field, const std::vecto
   return field == info(Field::damage).name ? std::pair{0.0, 1.0} : colour_range(values, drawn);
 }
 
-vtkSmartPointer<vtkScalarsToColors> colours_of(const std::vector<Category>& categories) {
+std::vector<Colour> colours_of(const std::vector<double>& values, const std::pair<double, double>& range) {
   std::vector<Colour> colours;
-  for (const auto& category : categories) colours.push_back(category.colour);
-  return listed_colours(colours);
+  for (const double value : values)
+    colours.push_back(continuous_colour((value - range.first) / (range.second - range.first)));
+  return colours;
+}
+
+std::vector<Colour> colours_of(const std::vector<double>& values, const std::vector<Category>& categories) {
+  std::vector<Colour> colours;
+  for (const double value : values) colours.push_back(categories[static_cast<std::size_t>(value)].colour);
+  return colours;
 }
 
 /// The measures that have a line to draw and were taken at this time.
@@ -79,65 +81,45 @@ std::vector<DimensionLine> dimension_lines(const Picture& picture, const Drawing
   return lines;
 }
 
-/// Three layers in place of what was drawn before: white paper, the particles on a part of it, and what is written over
-/// all.
-void lay_out(vtkRenderWindow* window, const Picture& picture, vtkRenderer* scene, vtkRenderer* overlay) {
-  while (auto* const before = window->GetRenderers()->GetFirstRenderer()) window->RemoveRenderer(before);
-  window->SetSize(picture.width, picture.height);
-  const auto paper = vtkSmartPointer<vtkRenderer>::New();
-  paper->SetBackground(1.0, 1.0, 1.0);
-  scene->SetViewport(0.02, 0.08, 0.85, 0.89);
-  int layer = 0;
-  for (auto* renderer : {paper.Get(), scene, overlay}) {
-    renderer->SetLayer(layer++);
-    window->AddRenderer(renderer);
-  }
+/// The part of the canvas that the particles are painted on; the rest is for words.
+Frame scene_frame(const Canvas& canvas) {
+  const auto part = [](double share, int size) { return static_cast<int>(std::lround(share * size)); };
+  return {part(0.02, canvas.width()), part(0.08, canvas.height()), part(0.85, canvas.width()),
+          part(0.89, canvas.height())};
 }
 
 }  // namespace
 
-ParticlePictures::ParticlePictures() : window_(vtkSmartPointer<vtkRenderWindow>::New()) {
-  window_->SetOffScreenRendering(1);
-  window_->SetMultiSamples(8);
-  window_->SetNumberOfLayers(3);
-}
-
-void ParticlePictures::draw(const Picture& picture, const Snapshot& snapshot, const Drawing& drawing,
-                            const std::string& path) {
+void draw_particles(const Picture& picture, const Snapshot& snapshot, const Drawing& drawing, const std::string& path) {
   const auto field = scalar_field(snapshot, picture.field);
   if (!field) throw RunError(fmt::format("the snapshot at {} s has no {}", snapshot.time(), picture.field));
   const auto whole = make_whole(snapshot, drawing.scene.symmetry);
   const auto cut = cut_of(picture, drawing.scene);
   const auto drawn = particles_to_draw(picture, whole, cut);
-
-  auto values = with_images(*field, picture.field, whole, drawing.scene.symmetry);
+  const auto values = with_images(*field, picture.field, whole, drawing.scene.symmetry);
   const auto range = picture.range.value_or(usual_range(picture.field, values, drawn));
-  const auto unit =
-      shown_unit(std::max(std::abs(range.first), std::abs(range.second)), scalar_field_unit(picture.field));
-  for (auto& value : values) value *= unit.factor;
   const auto categories = categories_of(picture.field, whole);
-  const auto colours =
-      categories ? colours_of(*categories) : continuous_colours(range.first * unit.factor, range.second * unit.factor);
 
-  const auto scene = vtkSmartPointer<vtkRenderer>::New();
-  const auto overlay = vtkSmartPointer<vtkRenderer>::New();
-  lay_out(window_, picture, scene, overlay);
-  scene->AddActor(particle_actor(whole, drawn, values, colours));
+  Canvas canvas(picture.width, picture.height);
+  const auto frame = scene_frame(canvas);
   const auto lines = dimension_lines(picture, drawing, snapshot.time());
   std::vector<Segment> segments;
   for (const auto& line : lines) segments.push_back(line.segment);
-  aim_camera(scene, framed(picture, whole, drawn, segments), whole.dimensions, picture, cut);
+  const auto camera = aimed_camera(frame, framed(picture, whole, drawn, segments), whole.dimensions, picture, cut);
 
-  add_dimension_lines(scene, lines);
-  add_title(overlay, drawing.scene.title,
+  paint_particles(canvas, frame, camera, whole, drawn,
+                  categories ? colours_of(values, *categories) : colours_of(values, range));
+  canvas.clip(frame);
+  add_dimension_lines(canvas, camera, frame, lines);
+  canvas.clip(canvas.all());
+  add_title(canvas, drawing.scene.title,
             fmt::format("{}, {}", readable(picture.field), time_in_words(snapshot.time(), drawing.event.contact_time)));
-  add_scale_bar(overlay, scene);
-  if (categories) {
-    add_legend(overlay, *categories);
-  } else {
-    add_colour_bar(overlay, colours, readable(picture.field) + (unit.label.empty() ? "" : ", " + unit.label));
-  }
-  write_png(window_, path);
+  add_scale_bar(canvas, camera, frame);
+  if (categories)
+    add_legend(canvas, *categories);
+  else
+    add_colour_bar(canvas, range, readable(picture.field), scalar_field_unit(picture.field));
+  write_png(canvas, path);
 }
 
 }  // namespace tektite

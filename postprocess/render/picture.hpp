@@ -1,5 +1,5 @@
 #pragma once
-// What a scene asks to be drawn: [picture.NAME]. Reading needs no VTK and no X server.
+// What a scene asks to be drawn: [picture.NAME].
 
 #include <optional>
 #include <string>
