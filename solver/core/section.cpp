@@ -154,7 +154,7 @@ std::vector<double> Section::quantities(const std::string& key, const Dimension&
                                         const Limits& limits) {
   const auto* array = node(key).as_array();
   if (!array || array->size() != count)
-    throw fault(key, fmt::format("must be a list of {} values", count), describe(dimension));
+    throw fault(key, fmt::format("must be a list of {} values", count), "each " + describe(dimension));
   std::vector<double> values;
   toml::array converted;
   for (const auto& element : *array) {

@@ -71,6 +71,8 @@ TEST_CASE("Section: lists of quantities and of points are checked for their leng
   const auto read_pair = [](Section& root) { root.quantities("x", dimension::length, 2); };
   CHECK_THAT(fault("x = 1", read_pair), Contains("must be a list of 2 values"));
   CHECK_THAT(fault("x = [1]", read_pair), Contains("x = [1]: must be a list of 2 values"));
+  const auto read_direction = [](Section& root) { root.quantities("x", dimension::none, 2); };
+  CHECK_THAT(fault("x = \"y\"", read_direction), Contains("must be a list of 2 values (allowed: each a plain number)"));
   CHECK_THAT(fault("x = [1, \"1 s\"]", read_pair), Contains("this is a time"));
   const auto read_points = [](Section& root) { root.points("x", {dimension::length, dimension::speed}, 3); };
   CHECK_THAT(fault("x = [[1, 2], [3, 4]]", read_points), Contains("a list of at least 3 points"));
