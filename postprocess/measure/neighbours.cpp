@@ -37,25 +37,38 @@ std::vector<double> nearest_distances(const Whole& whole, std::int32_t body) {
   return nearest;
 }
 
+/// Distances, in spacings, that differ by less are one: both particles of a pair have the same, and which of them has
+/// the lower id depends on how the scene stands in its axes.
+constexpr double tie = 1e-6;
+
+/// Mean nearest distance of the particles of i's body within a smoothing length of i.
+double mean_about(const Whole& whole, const PointGrid& grid, const std::vector<double>& nearest, std::uint32_t i) {
+  double sum = 0.0, count = 0.0;
+  grid.around(whole.position[i], whole.dimensions, [&](std::uint32_t j) {
+    if (std::isinf(nearest[j]) || norm(whole.position[j] - whole.position[i]) > whole.smoothing_length[i]) return;
+    sum += nearest[j];
+    count += 1.0;
+  });
+  return sum / count;
+}
+
 }  // namespace
 
 /// Smallest distance between two particles of the body in the last snapshot, in spacings. As with other extremes, a
 /// single pair stands for its surroundings: the uncertainty is the difference to the mean nearest distance of the
-/// body's particles within one smoothing length. Keys: body.
+/// body's particles within one smoothing length, the largest of those that have the smallest. Keys: body.
 Measure read_min_neighbour_distance(Section& section, const Declared& declared) {
   const auto name = read_body(section, "body", declared);
   return [=](const Event& event) {
     const auto& whole = event.last;
     const auto nearest = nearest_distances(whole, whole.body_named(name));
-    const auto at = static_cast<std::size_t>(std::min_element(nearest.begin(), nearest.end()) - nearest.begin());
-    double sum = 0.0;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < whole.count(); ++i) {
-      if (std::isinf(nearest[i]) || norm(whole.position[i] - whole.position[at]) > whole.smoothing_length[at]) continue;
-      sum += nearest[i];
-      ++count;
-    }
-    return Measured{nearest[at], whole.time, sum / static_cast<double>(count) - nearest[at], {}};
+    const double least = *std::min_element(nearest.begin(), nearest.end());
+    const auto& h = whole.smoothing_length;
+    const PointGrid grid(whole.position, *std::max_element(h.begin(), h.end()));
+    double uncertainty = 0.0;
+    for (std::uint32_t i = 0; i < whole.count(); ++i)
+      if (nearest[i] <= least + tie) uncertainty = std::max(uncertainty, mean_about(whole, grid, nearest, i) - least);
+    return Measured{least, whole.time, uncertainty, {}};
   };
 }
 

@@ -50,6 +50,14 @@ TEST_CASE("Clumping: the smallest distance between neighbours is told in spacing
   CHECK(measured.uncertainty < 0.6);
 }
 
+TEST_CASE("Clumping: how uncertain the smallest distance is does not depend on which of the pair comes first") {
+  const auto upwards = event_of_square(0.4, 0.0);
+  auto turned = upwards;
+  for (auto* whole : {&turned.initial, &turned.last}) std::reverse(whole->position.begin(), whole->position.end());
+  CHECK(take_of(scene, "min_neighbour_distance", turned).uncertainty ==
+        Approx(take_of(scene, "min_neighbour_distance", upwards).uncertainty).epsilon(1e-9));
+}
+
 TEST_CASE("Clumping: a particle on symmetry planes does not clump with its own image, one beside them does") {
   const TemporaryFolder folder;
   const std::vector<SymmetryPlane> planes{{0, 0.0, 1.0}, {1, 0.0, 1.0}};
