@@ -1,8 +1,9 @@
 // What comes out behind a plate: the projectile (the debris) and the plug that it has punched out. The plug is the
 // largest connected piece of the plate ahead of the debris: one that no longer hangs on the plate's rim, whose centre
 // of mass lies ahead of that of the coherent debris and which reaches farther than the debris does. However small, it
-// counts: where the plate went to crumbs, the plug is a crumb. Where nothing flies ahead, there is no plug to measure.
-// Source: G. Young, F. Teixeira-Dias, L. Azevedo, J. Mill (2021), Int. J. Mech. Sci. 192, 106108, table 2.
+// counts: where the plate went to crumbs, the plug is a crumb, the foremost of the heaviest. Where nothing flies ahead,
+// there is no plug to measure. Source: G. Young, F. Teixeira-Dias, L. Azevedo, J. Mill (2021), Int. J. Mech. Sci. 192,
+// 106108, table 2.
 
 #include <algorithm>
 #include <cmath>
@@ -23,17 +24,23 @@ std::vector<double> fronts_of(const Whole& whole, const Fragments& fragments, co
   return front;
 }
 
-/// Index of the plug in the list of fragments; nullopt where there is none.
+/// Index of the plug in the list of fragments; nullopt where there is none. Of equally heavy pieces, as single failed
+/// particles are, it is the foremost: which of them comes first in the list depends on how the scene stands in its
+/// axes.
 std::optional<std::uint32_t> find_plug(const Event& event, const Fragments& fragments, const Target& target) {
+  constexpr double equal = 1.0 - 1e-9;  // of masses that were added up in another order
   const auto hangs = hangs_on_rim(event, fragments, on_rim(event, target));
   const auto front = fronts_of(event.last, fragments, target.direction);
   const auto debris = fragments.heaviest(target.projectile);
-  const double debris_at = dot(fragments.list[debris].centre, target.direction);
+  const auto at = [&](std::uint32_t k) { return dot(fragments.list[k].centre, target.direction); };
+  std::optional<std::uint32_t> plug;
   for (std::uint32_t k = 0; k < fragments.list.size(); ++k) {  // the heaviest of a body comes first
     if (fragments.list[k].body != target.body || hangs[k]) continue;
-    if (dot(fragments.list[k].centre, target.direction) > debris_at && front[k] > front[debris]) return k;
+    if (plug && fragments.list[k].mass < equal * fragments.list[*plug].mass) break;
+    const bool ahead = at(k) > at(debris) && front[k] > front[debris];
+    if (ahead && (!plug || at(k) > at(*plug))) plug = k;
   }
-  return std::nullopt;
+  return plug;
 }
 
 std::uint32_t plug_of(const Event& event, const Target& target) {

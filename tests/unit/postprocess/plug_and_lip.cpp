@@ -117,6 +117,19 @@ TEST_CASE("Plug: where only crumbs fly ahead, it is a crumb, which is as wide as
   CHECK(take("plug_velocity", event).value == Approx(450.0).epsilon(1e-9));
 }
 
+TEST_CASE("Plug: of crumbs of the same mass it is the foremost, whichever comes first in the list") {
+  Plate plate;
+  plate.plug_at = 10e-3;
+  auto last = plate_snapshot(plate, false);
+  double foremost = 0.0;
+  const auto* places = last.particles.vectors<3>(Field::position);
+  for (std::size_t i = 0; i < last.particles.count(); ++i) foremost = std::max(foremost, places[i][0]);
+  for (std::size_t i = 0; i < last.particles.count(); ++i)
+    if (places[i][0] > 0.09) last.particles.vectors<3>(Field::velocity)[i][0] = 1e3 * places[i][0];
+  const auto event = event_between(plate_snapshot(plate, true), std::move(last), {});
+  CHECK(take("plug_velocity", event).value == Approx(1e3 * foremost).epsilon(1e-9));
+}
+
 TEST_CASE("Plug: failed total-Lagrangian particles are no part of it, failed Eulerian ones are") {
   const auto full = 2.0 * std::hypot(3.5e-3, 1.5e-3);
   const auto core = 2.0 * std::hypot(1.5e-3, 0.5e-3);
