@@ -1,7 +1,13 @@
 #pragma once
-// White paper that particles, lines and text are painted on with smooth edges. It needs no window and no X server.
+// White paper that particles, lines and text are painted on with smooth edges, by Cairo: no window and no X server.
 
+#include <cairo.h>
+
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -22,13 +28,34 @@ struct Frame {
   int height() const { return upper - lower; }
 };
 
+/// Colours and opacities of some pixels, from the highest row down: nothing to begin with.
+class Image {
+ public:
+  Image(int width, int height)
+      : width_(width), height_(height), pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
+  int width() const { return width_; }
+  int height() const { return height_; }
+  /// Counted from the lower left corner; red, green and blue, each times the opacity, and this, up to 255.
+  void set(int x, int y, const std::array<std::uint8_t, 4>& pixel) {
+    const auto [red, green, blue, opacity] = pixel;
+    pixels_[static_cast<std::size_t>(height_ - 1 - y) * static_cast<std::size_t>(width_) +
+            static_cast<std::size_t>(x)] =
+        std::uint32_t{opacity} << 24 | std::uint32_t{red} << 16 | std::uint32_t{green} << 8 | std::uint32_t{blue};
+  }
+  std::uint32_t* pixels() { return pixels_.data(); }
+
+ private:
+  int width_, height_;
+  std::vector<std::uint32_t> pixels_;
+};
+
 class Canvas {
  public:
   Canvas(int width, int height);
 
-  int width() const { return all_.right; }
-  int height() const { return all_.upper; }
-  Frame all() const { return all_; }
+  int width() const { return width_; }
+  int height() const { return height_; }
+  Frame all() const { return {0, 0, width_, height_}; }
 
   /// From now on only this part is painted on.
   void clip(const Frame& part);
@@ -37,24 +64,19 @@ class Canvas {
   void disc(const Pixel& centre, double radius, const Colour& colour);
   /// Lines with round ends, painted as one stroke: where they meet or cross nothing is painted twice.
   void lines(const std::vector<std::pair<Pixel, Pixel>>& segments, double width, const Colour& colour);
-  /// Lays a colour over one pixel; nothing outside of the part that is painted on. Opacity between 0 and 1.
-  void blend(int x, int y, const Colour& colour, double opacity);
+  /// With its lower left corner here.
+  void lay(Image& image, int left, int lower);
 
-  /// Three bytes a pixel from a row's left end on: red, green, blue.
-  std::uint8_t* row(int y) { return bytes_.data() + place(0, y) * 3; }
-  const std::uint8_t* row(int y) const { return bytes_.data() + place(0, y) * 3; }
+  /// Red, green and blue of a pixel, up to 255.
+  std::array<std::uint8_t, 3> colour_of(int x, int y) const;
+
+  /// Writes it beside its place and renames it. Throws RunError.
+  void write_png(const std::string& path) const;
 
  private:
-  /// The pixels that a box reaches, within the part that is painted on.
-  Frame within(double left, double lower, double right, double upper) const;
-
-  std::size_t place(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(all_.right) + static_cast<std::size_t>(x);
-  }
-
-  Frame all_, part_;
-  std::vector<std::uint8_t> bytes_;
-  std::vector<float> coverage_;  ///< of a stroke, a number a pixel; zero between two strokes
+  int width_, height_;
+  std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface_;
+  std::unique_ptr<cairo_t, decltype(&cairo_destroy)> cairo_;
 };
 
 }  // namespace tektite

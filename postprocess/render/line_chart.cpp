@@ -8,7 +8,6 @@
 
 #include "postprocess/render/axis.hpp"
 #include "postprocess/render/canvas.hpp"
-#include "postprocess/render/png.hpp"
 #include "postprocess/render/text.hpp"
 #include "postprocess/shown_unit.hpp"
 
@@ -150,7 +149,7 @@ void draw_line_chart(const LineChart& chart, const std::string& path) {
   draw_axes(canvas, plot, chart);
   for (std::size_t k = 0; k < chart.lines.size(); ++k) draw_line(canvas, plot, chart.lines[k], distinct_colour(k));
   draw_legend(canvas, plot, chart.lines);
-  write_png(canvas, path);
+  canvas.write_png(path);
 }
 
 }  // namespace tektite

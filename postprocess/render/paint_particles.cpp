@@ -69,13 +69,13 @@ class Rows {
       for (int x = left; x < right; ++x) paint_pixel<Shape>(spot, x, y);
   }
 
-  /// The mean of a pixel's samples; where there is none the paper is left.
+  /// The mean of each pixel's samples; where there is none the paper is left.
   void lay_on(Canvas& canvas) const {
+    Image image(frame_.width(), frame_.height());
     std::size_t at = 0;
-    for (int y = frame_.lower; y < frame_.upper; ++y) {
-      auto* bytes = canvas.row(y) + 3 * frame_.left;
-      for (int x = frame_.left; x < frame_.right; ++x, bytes += 3, at += samples.size()) lay_pixel(bytes, at);
-    }
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x, at += samples.size()) image.set(x, y, mean(at));
+    canvas.lay(image, frame_.left, frame_.lower);
   }
 
  private:
@@ -95,16 +95,16 @@ class Rows {
     }
   }
 
-  void lay_pixel(std::uint8_t* bytes, std::size_t at) const {
-    std::array<unsigned, 3> sum{};
-    unsigned bare = 0;
-    for (std::size_t k = at; k < at + samples.size(); ++k) {
-      bare += nearness_[k] == -std::numeric_limits<float>::infinity();
+  std::array<std::uint8_t, 4> mean(std::size_t at) const {
+    constexpr unsigned all = samples.size();
+    std::array<unsigned, 4> sum{};
+    for (std::size_t k = at; k < at + all; ++k) {
       for (std::size_t c = 0; c < 3; ++c) sum[c] += colour_[k][c];
+      if (nearness_[k] > -std::numeric_limits<float>::infinity()) sum[3] += 255;
     }
-    if (bare == samples.size()) return;
-    for (std::size_t c = 0; c < 3; ++c)
-      bytes[c] = static_cast<std::uint8_t>((sum[c] + bare * bytes[c] + samples.size() / 2) / samples.size());
+    std::array<std::uint8_t, 4> pixel{};
+    for (std::size_t c = 0; c < pixel.size(); ++c) pixel[c] = static_cast<std::uint8_t>((sum[c] + all / 2) / all);
+    return pixel;
   }
 
   Frame frame_;

@@ -12,7 +12,6 @@
 #include "postprocess/render/categories.hpp"
 #include "postprocess/render/framing.hpp"
 #include "postprocess/render/paint_particles.hpp"
-#include "postprocess/render/png.hpp"
 #include "postprocess/render/words.hpp"
 #include "postprocess/scalar_field.hpp"
 #include "postprocess/shown_unit.hpp"
@@ -119,7 +118,7 @@ void draw_particles(const Picture& picture, const Snapshot& snapshot, const Draw
     add_legend(canvas, *categories);
   else
     add_colour_bar(canvas, range, readable(picture.field), scalar_field_unit(picture.field));
-  write_png(canvas, path);
+  canvas.write_png(path);
 }
 
 }  // namespace tektite

@@ -56,14 +56,17 @@ void write(Canvas& canvas, const std::string& words, const Pixel& at, const Text
   if (!renderer->RenderString(property_of(style), words, image, size.data(), dots_per_inch)) return;
   // The image's place is that of its lower left corner from the place of the words.
   const auto* extent = image->GetExtent();
-  const int left = static_cast<int>(std::lround(at.x)) + extent[0];
-  const int lower = static_cast<int>(std::lround(at.y)) + extent[2];
+  Image laid(size[0], size[1]);
   for (int y = 0; y < size[1]; ++y) {
     const auto* bytes = static_cast<const unsigned char*>(image->GetScalarPointer(extent[0], extent[2] + y, 0));
-    for (int x = 0; x < size[0]; ++x, bytes += 4)
-      if (bytes[3] > 0)
-        canvas.blend(left + x, lower + y, {bytes[0] / 255.0, bytes[1] / 255.0, bytes[2] / 255.0}, bytes[3] / 255.0);
+    for (int x = 0; x < size[0]; ++x, bytes += 4) {
+      const auto part = [opacity = bytes[3]](unsigned char colour) {
+        return static_cast<std::uint8_t>((colour * opacity + 127) / 255);
+      };
+      laid.set(x, y, {part(bytes[0]), part(bytes[1]), part(bytes[2]), bytes[3]});
+    }
   }
+  canvas.lay(laid, static_cast<int>(std::lround(at.x)) + extent[0], static_cast<int>(std::lround(at.y)) + extent[2]);
 }
 
 double width_of(const std::string& words, double size) {

@@ -6,10 +6,10 @@
 #include <fstream>
 
 #include "core/write_beside.hpp"
+#include "postprocess/render/canvas.hpp"
 #include "postprocess/render/chart.hpp"
 #include "postprocess/render/cost_chart.hpp"
 #include "postprocess/render/draw.hpp"
-#include "postprocess/render/png.hpp"
 #include "support/apart.hpp"
 #include "support/program.hpp"
 #include "support/temporary_folder.hpp"
@@ -230,7 +230,7 @@ TEST_CASE("Pictures: one that cannot be written is told, and no half of it is le
   const auto full = fault_apart([&] {
     const Canvas canvas(640, 400);
     leave_room(300);
-    write_png(canvas, made.folder.file("full.png"));
+    canvas.write_png(made.folder.file("full.png"));
   });
   CHECK_THAT(full, Catch::Contains(made.folder.file("full.png") + ": cannot be written"));
   CHECK_FALSE(std::filesystem::exists(made.folder.file("full.png")));
