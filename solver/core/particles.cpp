@@ -14,6 +14,11 @@ void expect(bool allocated, Field field) {
   if (!allocated) throw std::logic_error(fmt::format("field {} is not allocated", info(field).name));
 }
 
+void expect_size(std::size_t given, std::size_t wanted, Field field) {
+  if (given != wanted)
+    throw std::logic_error(fmt::format("field {} has {} numbers where {} belong", info(field).name, given, wanted));
+}
+
 template <class T>
 void permute_column(std::vector<T>& column, std::span<const std::uint32_t> order, std::size_t width) {
   std::vector<T> sorted(column.size());
@@ -36,6 +41,18 @@ void Particles::allocate(Field field, std::size_t spare) {
     integers_[slot(field)].resize(size);
   else
     reals_[slot(field)].resize(size);
+}
+
+void Particles::adopt(Field field, std::vector<double> values) {
+  expect_size(values.size(), count_ * static_cast<std::size_t>(components(field)), field);
+  allocated_[slot(field)] = true;
+  reals_[slot(field)] = std::move(values);
+}
+
+void Particles::adopt(Field field, std::vector<std::int64_t> values) {
+  expect_size(values.size(), count_, field);
+  allocated_[slot(field)] = true;
+  integers_[slot(field)] = std::move(values);
 }
 
 void Particles::release(Field field) {

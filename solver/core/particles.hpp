@@ -40,6 +40,9 @@ class Particles {
 
   /// Allocates a field, zero-filled with room for `count() + spare` particles; keeps what is there.
   void allocate(Field field, std::size_t spare = 0);
+  /// Takes the numbers of a field, one row a particle, for its own. Throws std::logic_error where they are not as many.
+  void adopt(Field field, std::vector<double> values);
+  void adopt(Field field, std::vector<std::int64_t> values);
   void release(Field field);
   bool has(Field field) const;
   int components(Field field) const { return components_of(info(field).rank, space_); }

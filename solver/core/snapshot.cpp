@@ -144,7 +144,17 @@ std::vector<Body> bodies_in(std::vector<Body> bodies, const hdf5::Rows& rows) {
 
 }  // namespace
 
-Snapshot read_rows(const std::string& path, const ShareOfRows& share) {
+const FieldSet& saved_fields() {
+  static const FieldSet fields = [] {
+    FieldSet all;
+    for (const auto& row : field_table)
+      if (saved(row.keep)) all.insert(row.field);
+    return all;
+  }();
+  return fields;
+}
+
+Snapshot read_rows(const std::string& path, const ShareOfRows& share, const FieldSet& wanted) {
   const hdf5::Reader file(path);
   if (file.text_attribute("/", "format") != format_name) throw broken(file, "/@format", "this is no particle file");
   const auto format = file.integer_attribute("/", "format_version");
@@ -165,23 +175,24 @@ Snapshot read_rows(const std::string& path, const ShareOfRows& share) {
     const auto field = field_named(member);
     const auto object = "/particles/" + member;
     if (!field || !saved(info(*field).keep)) throw broken(file, object, "no such field");
+    if (!wanted.contains(*field)) continue;
     const auto columns = static_cast<std::size_t>(particles.components(*field));
     if (info(*field).rank == Rank::integer) {
-      const auto values = file.integers(object, rows, columns);
-      particles.allocate(*field);
-      std::copy(values.begin(), values.end(), particles.integers(*field).begin());
+      particles.adopt(*field, file.integers(object, rows, columns));
     } else {
-      const auto values = file.reals(object, rows, columns);
+      auto values = file.reals(object, rows, columns);
       check_numbers(file, info(*field), values);
-      particles.allocate(*field);
-      std::copy(values.begin(), values.end(), particles.reals(*field).begin());
+      particles.adopt(*field, std::move(values));
     }
   }
   for (const auto field :
        {Field::id, Field::position, Field::velocity, Field::mass, Field::density, Field::smoothing_length})
-    if (!particles.has(field)) throw broken(file, fmt::format("/particles/{}", info(field).name), "is missing");
+    if (const auto object = fmt::format("/particles/{}", info(field).name); !file.has(object))
+      throw broken(file, object, "is missing");
   return snapshot;
 }
+
+Snapshot read_fields(const std::string& path, const FieldSet& wanted) { return read_rows(path, all_rows, wanted); }
 
 void check_file(const std::string& path) {
   if (!std::filesystem::exists(path)) throw InputError({{path, 0}, {}, {}, "there is no such file", {}});

@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 
 #include "core/document.hpp"
@@ -48,8 +49,16 @@ void check_file(const std::string& path);
 /// The first of the rows of a file and how many there are, out of the number of all.
 using ShareOfRows = std::function<hdf5::Rows(std::size_t)>;
 
-/// Of a file that check_file() lets pass: all but the particles, and of these some rows, bodies' ranges being theirs.
-/// Throws InputError.
-Snapshot read_rows(const std::string& path, const ShareOfRows& share);
+using FieldSet = std::set<Field>;
+
+/// Every field that a particle file may have.
+const FieldSet& saved_fields();
+
+/// Of a file that check_file() lets pass: all but the particles, and of these some rows, bodies' ranges being theirs,
+/// of the fields that are wanted and there. Throws InputError.
+Snapshot read_rows(const std::string& path, const ShareOfRows& share, const FieldSet& wanted = saved_fields());
+
+/// The same of all rows. Without any field it is what the file tells beside the particles.
+Snapshot read_fields(const std::string& path, const FieldSet& wanted);
 
 }  // namespace tektite

@@ -32,6 +32,17 @@ TEST_CASE("Particles: a field has the components that rank and space need") {
   CHECK(particles.components(Field::velocity_gradient) == tensor);
 }
 
+TEST_CASE("Particles: numbers that are handed over are a field's, as many as belong there") {
+  Particles particles(Space::plane_strain, test::two_bodies());
+  particles.adopt(Field::velocity, std::vector<double>(7 * 2, 3.0));
+  particles.adopt(Field::id, std::vector<std::int64_t>{7, 6, 5, 4, 3, 2, 1});
+  CHECK(particles.vectors<2>(Field::velocity)[6][1] == 3.0);
+  CHECK(particles.integers(Field::id)[6] == 1);
+  CHECK_THROWS_WITH(particles.adopt(Field::velocity, std::vector<double>(7)),
+                    "field velocity has 7 numbers where 14 belong");
+  CHECK_THROWS_WITH(particles.adopt(Field::id, std::vector<std::int64_t>(8)), "field id has 8 numbers where 7 belong");
+}
+
 TEST_CASE("Particles: allocating fills with zeros, keeps what is there, and leaves room where asked") {
   Particles particles(Space::solid, test::two_bodies());
   particles.allocate(Field::velocity);

@@ -86,6 +86,41 @@ TEST_CASE("Snapshot: what several read of the rows is together what one reads") 
   }
 }
 
+TEST_CASE("Snapshot: of the fields those are read that are wanted and there, of all rows or of some") {
+  auto snapshot = sample(Space::solid);
+  snapshot.particles.release(Field::damage);
+  const Written written(snapshot);
+  const FieldSet wanted{Field::id, Field::deviatoric_stress, Field::damage};
+  const auto stress = snapshot.particles.reals(Field::deviatoric_stress);
+  const auto ids = snapshot.particles.integers(Field::id);
+  const auto whole = read_fields(written.path, wanted);
+  const auto part = read_rows(
+      written.path, [](std::size_t all) { return hdf5::Rows(2, 3, all); }, wanted);
+  for (const auto& row : field_table) {
+    INFO(row.name);
+    const bool there = row.field == Field::id || row.field == Field::deviatoric_stress;
+    CHECK(whole.particles.has(row.field) == there);
+    CHECK(part.particles.has(row.field) == there);
+  }
+  CHECK(std::ranges::equal(whole.particles.reals(Field::deviatoric_stress), stress));
+  CHECK(std::ranges::equal(part.particles.reals(Field::deviatoric_stress), stress.subspan(2 * 6, 3 * 6)));
+  CHECK(std::ranges::equal(part.particles.integers(Field::id), ids.subspan(2, 3)));
+
+  const auto beside = read_fields(written.path, {});
+  CHECK(beside.particles.memory() == 0);
+  CHECK(beside.particles.count() == 7);
+  CHECK(same_bodies(beside.particles.bodies(), test::two_bodies()));
+  CHECK(beside.scene == snapshot.scene);
+  CHECK(beside.state == snapshot.state);
+}
+
+TEST_CASE("Snapshot: a field that every file has is missed where it is not wanted, too") {
+  auto snapshot = sample();
+  snapshot.particles.release(Field::mass);
+  const Written written(snapshot);
+  CHECK_THAT(fault_of([&] { read_fields(written.path, {Field::id}); }), Contains("/particles/mass: is missing"));
+}
+
 TEST_CASE("Snapshot: every kept field, in every space, comes back bit for bit") {
   const auto space = GENERATE(Space::line, Space::plane_strain, Space::plane_stress, Space::solid);
   const auto written = sample(space);
