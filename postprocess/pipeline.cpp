@@ -8,7 +8,7 @@
 
 #include "core/error.hpp"
 #include "postprocess/export/fragments_csv.hpp"
-#include "postprocess/export/vtu.hpp"
+#include "postprocess/export/pieces.hpp"
 #include "postprocess/plan.hpp"
 #include "postprocess/render/draw.hpp"
 #include "postprocess/report.hpp"
@@ -24,16 +24,15 @@ Document scene_of(const PostprocessOptions& options, const Snapshot& last, const
   return Document::parse(last.scene, path);
 }
 
-/// Gives the time of each.
+/// Checks each particle file but the last, which was checked for its scene, before it is read. Gives the time of each.
 std::vector<double> export_snapshots(const RunFolder& run, const std::string& scene_name) {
   std::vector<TimedFile> files;
   std::vector<double> times;
   for (const auto& path : run.snapshots) {
-    const auto snapshot = read_snapshot(path);
-    const auto file = "vtu/" + fs::path(path).stem().string() + ".vtu";
-    write_vtu(snapshot, (fs::path(run.path) / file).string());
-    files.push_back({snapshot.time(), file});
-    times.push_back(snapshot.time());
+    if (path != run.snapshots.back()) check_file(path);
+    const auto [time, name] = export_particles(path, (fs::path(run.path) / "vtu").string());
+    files.push_back({time, "vtu/" + name});
+    times.push_back(time);
   }
   const auto collection = (fs::path(run.path) / (scene_name + ".pvd")).string();
   write_pvd(files, collection);

@@ -12,6 +12,8 @@
 #include <vtkTypeInt64Array.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <numeric>
+
 #include "postprocess/scalar_field.hpp"
 
 namespace tektite {
@@ -88,30 +90,47 @@ void add_bodies(vtkUnstructuredGrid* grid, const Particles& particles) {
 }
 
 void add_cells(vtkUnstructuredGrid* grid, std::size_t count) {
+  const auto numbered = [](std::size_t size) {
+    const auto array = vtkSmartPointer<vtkTypeInt64Array>::New();
+    array->SetNumberOfValues(static_cast<vtkIdType>(size));
+    std::iota(array->GetPointer(0), array->GetPointer(0) + size, vtkTypeInt64{0});
+    return array;
+  };
   const auto cells = vtkSmartPointer<vtkCellArray>::New();
-  cells->AllocateExact(static_cast<vtkIdType>(count), static_cast<vtkIdType>(count));
-  for (vtkIdType i = 0; i < static_cast<vtkIdType>(count); ++i) cells->InsertNextCell(1, &i);
+  cells->SetData(numbered(count + 1), numbered(count));
   grid->SetCells(VTK_VERTEX, cells);
 }
 
 }  // namespace
 
-vtkSmartPointer<vtkUnstructuredGrid> make_grid(const Snapshot& snapshot) {
-  const auto& particles = snapshot.particles;
+const FieldSet& exported_fields() {
+  static const FieldSet fields = [] {
+    FieldSet results;
+    for (const auto& row : field_table)
+      if (row.keep == Keep::result) results.insert(row.field);
+    return results;
+  }();
+  return fields;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> make_grid(Snapshot snapshot) {
+  auto& particles = snapshot.particles;
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   const auto points = vtkSmartPointer<vtkPoints>::New();
   const auto width = particles.dimensions();
-  points->SetData(padded<vtkDoubleArray>(
-      particles.reals(Field::position).first(particles.count() * static_cast<std::size_t>(width)), width, 3));
+  const std::span<const double> places = particles.reals(Field::position);
+  points->SetData(padded<vtkDoubleArray>(places.first(particles.count() * static_cast<std::size_t>(width)), width, 3));
   grid->SetPoints(points);
   add_cells(grid, particles.count());
-  for (const auto& row : field_table)
-    if (row.keep == Keep::result && particles.has(row.field)) add_field(grid, particles, row);
-  if (particles.has(Field::deviatoric_stress)) {
-    const auto equivalent = von_mises_stress(particles);
+  std::vector<double> equivalent;
+  if (particles.has(Field::deviatoric_stress)) equivalent = von_mises_stress(particles);
+  for (const auto field : exported_fields()) {
+    if (particles.has(field)) add_field(grid, particles, info(field));
+    particles.release(field);
+  }
+  if (!equivalent.empty())
     add(grid, padded<vtkDoubleArray>(std::span<const double>(equivalent), 1, 1), "von_mises_stress",
         info(Field::deviatoric_stress).unit);
-  }
   add_bodies(grid, particles);
   const auto time = vtkSmartPointer<vtkDoubleArray>::New();
   time->SetName("TimeValue");

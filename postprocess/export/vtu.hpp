@@ -4,12 +4,16 @@
 #include <string>
 #include <vector>
 
-#include "core/snapshot.hpp"
+class vtkUnstructuredGrid;
 
 namespace tektite {
 
-/// Writes the snapshot as compressed binary VTU (make_grid tells what is in it). Throws RunError.
-void write_vtu(const Snapshot& snapshot, const std::string& path);
+/// Writes a grid of make_grid() as compressed binary VTU. Throws RunError.
+void write_vtu(vtkUnstructuredGrid* grid, const std::string& path);
+
+/// Writes the file that joins pieces, whose paths are relative to its folder: grids with the arrays of `grid`, which is
+/// one of them. Throws RunError.
+void write_pvtu(vtkUnstructuredGrid* grid, const std::vector<std::string>& pieces, const std::string& path);
 
 struct TimedFile {
   double time = 0.0;  ///< in s

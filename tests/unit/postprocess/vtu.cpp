@@ -18,6 +18,7 @@
 #include <sstream>
 
 #include "core/error.hpp"
+#include "postprocess/export/grid.hpp"
 #include "support/apart.hpp"
 #include "support/particles.hpp"
 #include "support/temporary_folder.hpp"
@@ -27,7 +28,7 @@ namespace {
 
 vtkSmartPointer<vtkUnstructuredGrid> written_and_read(const Snapshot& snapshot) {
   const TemporaryFolder folder;
-  write_vtu(snapshot, folder.file("vtu/000000.vtu"));
+  write_vtu(make_grid(snapshot), folder.file("vtu/000000.vtu"));
   const auto reader = vtkSmartPointer<vtkXMLUnstructuredGridReader>::New();
   reader->SetFileName(folder.file("vtu/000000.vtu").c_str());
   reader->Update();
@@ -102,12 +103,12 @@ TEST_CASE("PVD: times keep all their digits") {
 
 TEST_CASE("VTU: a place that cannot be written to is a RunError") {
   const Snapshot snapshot{filled_particles(Space::line), {{"time", 0.0}}, ""};
-  CHECK_THROWS_AS(write_vtu(snapshot, "/proc/no-such-folder/0.vtu"), RunError);
+  CHECK_THROWS_AS(write_vtu(make_grid(snapshot), "/proc/no-such-folder/0.vtu"), RunError);
   const TemporaryFolder folder;
   const auto path = folder.file("0.vtu");
   CHECK_THAT(fault_apart([&] {
                leave_room(100);
-               write_vtu(snapshot, path);
+               write_vtu(make_grid(snapshot), path);
              }),
              Catch::StartsWith(path + ": cannot be written: "));
   CHECK(std::filesystem::is_empty(folder.path()));
