@@ -40,18 +40,34 @@ std::vector<double> export_snapshots(const RunFolder& run, const std::string& sc
   return times;
 }
 
-Event make_event(const RunFolder& run, const Scene& scene, Snapshot last, std::vector<double> times) {
+/// With what the measures look at; where there is none, with what fragments need.
+Event make_event(const RunFolder& run, const Plan& plan, std::vector<double> times) {
+  FieldSet fields;
+  for (const auto& measure : plan.measures) fields.insert(measure.measure.fields.begin(), measure.measure.fields.end());
   Event event;
-  event.initial = make_whole(read_snapshot(run.snapshots.front()), scene.symmetry);
-  event.last = make_whole(last, scene.symmetry);
-  event.last_snapshot = std::move(last);
+  event.symmetry = plan.scene.symmetry;
+  event.last = read_whole(run.snapshots.back(), event.symmetry);
+  event.last_snapshot = read_fields(run.snapshots.back(), fields);
   event.fragments = find_fragments(event.last, link_of_support);
-  event.narrow_fragments = find_fragments(event.last, link_of_smoothing_length);
   event.history = run.history;
   event.contact_time = run.number("contact_time");
   event.snapshots = run.snapshots;
   event.times = std::move(times);
-  event.symmetry = scene.symmetry;
+  if (plan.measures.empty()) return event;
+  event.initial = read_whole(run.snapshots.front(), event.symmetry);
+  event.narrow_fragments = find_fragments(event.last, link_of_smoothing_length);
+  return event;
+}
+
+/// Leaves of an event what pictures look at: the last snapshot with the fields that they show, and no wholes, which
+/// they make of the snapshot that they draw.
+Event event_for_pictures(Event event, const std::vector<Picture>& pictures) {
+  event.initial = event.last = {};
+  event.fragments = event.narrow_fragments = {};
+  FieldSet fields;
+  for (const auto& picture : pictures) fields.merge(fields_shown(picture));
+  event.last_snapshot = {};
+  event.last_snapshot = read_fields(event.snapshots.back(), fields);
   return event;
 }
 
@@ -79,8 +95,10 @@ std::string shown_by(const Picture& picture) {
 
 void postprocess(const PostprocessOptions& options) {
   const auto run = open_run(options.run, options.output);
-  auto last = read_snapshot(run.snapshots.back());
-  auto document = scene_of(options, last, run.snapshots.back());
+  const auto& last_file = run.snapshots.back();
+  check_file(last_file);
+  const auto last = read_fields(last_file, {});
+  auto document = scene_of(options, last, last_file);
   const auto plan = read_plan(document);
 
   Report report;
@@ -91,14 +109,15 @@ void postprocess(const PostprocessOptions& options) {
   if (!options.reference.empty()) report.references = read_references(options.reference, report.variant, plan.measures);
 
   auto times = export_snapshots(run, plan.scene.name);
-  const auto event = make_event(run, plan.scene, std::move(last), std::move(times));
+  auto event = make_event(run, plan, std::move(times));
   write_fragments(event.last, event.fragments, (fs::path(run.path) / "fragments.csv").string());
   take_measures(plan.measures, event, report);
   write_measurements(report, run, (fs::path(run.path) / "measurements.json").string());
   std::cout << '\n' << comparison_table(report, run) << '\n';
 
   if (!options.pictures) return;
-  const auto pictures = plan.pictures.empty() ? default_pictures(event.last_snapshot, run.history) : plan.pictures;
+  const auto pictures = plan.pictures.empty() ? default_pictures(fields_in(last_file), run.history) : plan.pictures;
+  event = event_for_pictures(std::move(event), pictures);
   for (const auto& line : draw_pictures(pictures, {run, plan.scene, event, report.measurements}))
     std::cout << line << '\n';
 }

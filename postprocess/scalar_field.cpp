@@ -106,6 +106,16 @@ const std::vector<std::string>& scalar_field_names() {
   return names;
 }
 
+FieldSet scalar_field_needs(const std::string& name) {
+  if (name == "body") return {};
+  if (name == "speed") return {Field::velocity};
+  if (name == "von_mises_stress") return {Field::deviatoric_stress};
+  const auto* component = component_named(name);
+  if (!component) return {field_named(name).value()};
+  return component->needed == Field::velocity ? FieldSet{Field::velocity}
+                                              : FieldSet{component->needed, Field::pressure};
+}
+
 std::string scalar_field_unit(const std::string& name) {
   if (name == "speed") return std::string(info(Field::velocity).unit);
   if (name == "von_mises_stress") return std::string(info(Field::deviatoric_stress).unit);

@@ -15,6 +15,9 @@ namespace tektite {
 /// Names that scalar_field() knows.
 const std::vector<std::string>& scalar_field_names();
 
+/// The fields that a known name needs.
+FieldSet scalar_field_needs(const std::string& name);
+
 /// SI unit of a known name; "1" where it has none.
 std::string scalar_field_unit(const std::string& name);
 

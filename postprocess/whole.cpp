@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <functional>
 #include <unordered_map>
 
 #include "core/error.hpp"
@@ -10,6 +11,9 @@
 namespace tektite {
 namespace {
 
+/// Gives particles that have a field where there are any, until the next call.
+using ParticlesWith = std::function<const Particles&(Field)>;
+
 std::vector<Point> points_of(const Particles& particles, Field field) {
   const auto width = static_cast<std::size_t>(particles.dimensions());
   const auto values = particles.reals(field);
@@ -17,6 +21,11 @@ std::vector<Point> points_of(const Particles& particles, Field field) {
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t k = 0; k < width; ++k) points[i][static_cast<int>(k)] = values[i * width + k];
   return points;
+}
+
+std::vector<double> scalars_of(const Particles& particles, Field field) {
+  const auto values = particles.reals(field).first(particles.count());
+  return {values.begin(), values.end()};
 }
 
 template <class T>
@@ -46,18 +55,50 @@ void add_images(Whole& whole, const SymmetryPlane& plane, int bit) {
 
 /// A total-Lagrangian particle whose damage has reached 1 is taken out of its neighbours' lists. An Eulerian one stays
 /// in them, and so does one of a snapshot that does not tell kernel types.
-std::vector<std::uint8_t> severed(const Particles& particles) {
-  std::vector<std::uint8_t> chosen(particles.count(), 0);
-  if (!particles.has(Field::damage) || !particles.has(Field::kernel_type)) return chosen;
-  const auto damage = particles.reals(Field::damage);
-  const auto type = particles.integers(Field::kernel_type);
+std::vector<std::uint8_t> severed(const ParticlesWith& with, std::size_t count) {
+  std::vector<std::uint8_t> chosen(count, 0);
+  const auto& damaged = with(Field::damage);
+  if (!damaged.has(Field::damage)) return chosen;
+  for (std::size_t i = 0; i < count; ++i) chosen[i] = damaged.reals(Field::damage)[i] >= 1.0 ? 1 : 0;
+  const auto& typed = with(Field::kernel_type);
+  if (!typed.has(Field::kernel_type)) return std::vector<std::uint8_t>(count, 0);
   const auto total_lagrangian = static_cast<std::int64_t>(KernelType::total_lagrangian);
-  for (std::size_t i = 0; i < chosen.size(); ++i) chosen[i] = damage[i] >= 1.0 && type[i] == total_lagrangian ? 1 : 0;
+  for (std::size_t i = 0; i < count; ++i)
+    if (typed.integers(Field::kernel_type)[i] != total_lagrangian) chosen[i] = 0;
   return chosen;
 }
 
 std::uint64_t key_of(const Whole& whole, std::size_t i) {
   return static_cast<std::uint64_t>(whole.id[i]) << 3 | whole.image[i];
+}
+
+/// `beside` tells all but the particles' fields.
+Whole whole_of(const Snapshot& beside, const std::vector<SymmetryPlane>& planes, const ParticlesWith& with) {
+  const auto& particles = beside.particles;
+  const auto count = particles.count();
+  Whole whole;
+  whole.dimensions = particles.dimensions();
+  whole.time = beside.time();
+  whole.bodies = particles.bodies();
+  whole.position = points_of(with(Field::position), Field::position);
+  whole.velocity = points_of(with(Field::velocity), Field::velocity);
+  whole.mass = scalars_of(with(Field::mass), Field::mass);
+  whole.smoothing_length = scalars_of(with(Field::smoothing_length), Field::smoothing_length);
+  const auto id = with(Field::id).integers(Field::id).first(count);
+  whole.id.assign(id.begin(), id.end());
+  whole.body.resize(count);
+  for (std::size_t k = 0; k < whole.bodies.size(); ++k)
+    for (auto i = whole.bodies[k].range.begin; i < whole.bodies[k].range.end; ++i)
+      whole.body[i] = static_cast<std::int32_t>(k);
+  whole.source.resize(count);
+  for (std::size_t i = 0; i < count; ++i) whole.source[i] = static_cast<std::uint32_t>(i);
+  whole.image.assign(count, 0);
+  whole.severed = severed(with, count);
+  for (std::size_t k = 0; k < planes.size(); ++k) {
+    add_images(whole, planes[k], static_cast<int>(k));
+    if (hoops_of(particles.space()) > 0 && planes[k].axis == 0) whole.axis_image = static_cast<std::uint8_t>(1u << k);
+  }
+  return whole;
 }
 
 }  // namespace
@@ -72,33 +113,21 @@ std::int32_t Whole::body_named(const std::string& name) const {
 }
 
 Whole make_whole(const Snapshot& snapshot, const std::vector<SymmetryPlane>& planes) {
-  const auto& particles = snapshot.particles;
-  const auto count = particles.count();
-  Whole whole;
-  whole.dimensions = particles.dimensions();
-  whole.time = snapshot.time();
-  whole.bodies = particles.bodies();
-  whole.position = points_of(particles, Field::position);
-  whole.velocity = points_of(particles, Field::velocity);
-  const auto mass = particles.reals(Field::mass).first(count);
-  const auto smoothing_length = particles.reals(Field::smoothing_length).first(count);
-  const auto id = particles.integers(Field::id).first(count);
-  whole.mass.assign(mass.begin(), mass.end());
-  whole.smoothing_length.assign(smoothing_length.begin(), smoothing_length.end());
-  whole.id.assign(id.begin(), id.end());
-  whole.body.resize(count);
-  for (std::size_t k = 0; k < whole.bodies.size(); ++k)
-    for (auto i = whole.bodies[k].range.begin; i < whole.bodies[k].range.end; ++i)
-      whole.body[i] = static_cast<std::int32_t>(k);
-  whole.source.resize(count);
-  for (std::size_t i = 0; i < count; ++i) whole.source[i] = static_cast<std::uint32_t>(i);
-  whole.image.assign(count, 0);
-  whole.severed = severed(particles);
-  for (std::size_t k = 0; k < planes.size(); ++k) {
-    add_images(whole, planes[k], static_cast<int>(k));
-    if (hoops_of(particles.space()) > 0 && planes[k].axis == 0) whole.axis_image = static_cast<std::uint8_t>(1u << k);
-  }
-  return whole;
+  return whole_of(snapshot, planes, [&](Field) -> const Particles& { return snapshot.particles; });
+}
+
+const FieldSet& fields_of_whole() {
+  static const FieldSet fields{Field::position, Field::velocity, Field::mass,       Field::smoothing_length,
+                               Field::id,       Field::damage,   Field::kernel_type};
+  return fields;
+}
+
+Whole read_whole(const std::string& path, const std::vector<SymmetryPlane>& planes) {
+  Particles read;
+  return whole_of(read_fields(path, {}), planes, [&](Field field) -> const Particles& {
+    read = {};
+    return read = read_fields(path, {field}).particles;
+  });
 }
 
 std::vector<std::uint32_t> places_in(const Whole& initial, const Whole& now) {

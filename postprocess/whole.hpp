@@ -40,6 +40,12 @@ struct Whole {
 /// The snapshot with its images in all `planes` (and the images of those).
 Whole make_whole(const Snapshot& snapshot, const std::vector<SymmetryPlane>& planes);
 
+/// The fields that this takes, as far as they are there.
+const FieldSet& fields_of_whole();
+
+/// The same of a particle file that check_file() lets pass, read one field at a time.
+Whole read_whole(const std::string& path, const std::vector<SymmetryPlane>& planes);
+
 /// For every particle of `now`, its place in `initial`, found by id and image. Throws RunError where one is unknown
 /// there.
 std::vector<std::uint32_t> places_in(const Whole& initial, const Whole& now);

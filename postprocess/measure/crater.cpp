@@ -97,7 +97,7 @@ bool lay_within(double reach, const Event& event, const Target& target) {
 /// Keys: body (the target); projectile (default: the body that moves fastest against it); axis.
 Measure read_crater_diameter(Section& section, const Declared& declared) {
   const auto find_target = read_target(section, declared, true);
-  return [=](const Event& event) {
+  const auto take = [=](const Event& event) {
     const auto target = find_target(event);
     require_across(event, target, Face::front);
     const auto wide = crater_of(event, event.fragments, target);
@@ -110,12 +110,13 @@ Measure read_crater_diameter(Section& section, const Declared& declared) {
     measured.drawing = Segment{on_line - radius, on_line + radius};
     return measured;
   };
+  return {take, rim_fields};
 }
 
 /// Keys: as above.
 Measure read_crater_depth(Section& section, const Declared& declared) {
   const auto find_target = read_target(section, declared, true);
-  return [=](const Event& event) {
+  const auto take = [=](const Event& event) {
     const auto target = find_target(event);
     const auto hangs = hangs_on_rim(event, event.fragments, on_rim(event, target));
     // The wall of a slender channel lies within the support of its axis, so a smoothing length is looked across first.
@@ -132,6 +133,7 @@ Measure read_crater_depth(Section& section, const Declared& declared) {
     measured.drawing = Segment{target.unseen(target.on_line(front)), target.unseen(target.on_line(floor))};
     return measured;
   };
+  return {take, rim_fields};
 }
 
 }  // namespace tektite

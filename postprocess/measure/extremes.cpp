@@ -40,11 +40,12 @@ Measured extreme(const Snapshot& snapshot, const Whole& whole, const std::string
 Measure read_extreme(Section& section, const Declared& declared, Field field, Extreme which) {
   const auto body = read_body(section, "body", declared);
   const auto time = read_moment(section);
-  return [=](const Event& event) {
-    return measured_at(event, time, [&](const Snapshot& snapshot, const Whole& whole) {
+  const auto take = [=](const Event& event) {
+    return measured_at(event, time, {field}, [&](const Snapshot& snapshot, const Whole& whole) {
       return extreme(snapshot, whole, body, field, which);
     });
   };
+  return {take, {field}};
 }
 
 }  // namespace

@@ -75,7 +75,7 @@ Sides sides_of(const Event& event, const std::string& name) {
 /// the uncertainty. Keys: body.
 Measure read_interface_jump(Section& section, const Declared& declared) {
   const auto name = read_body(section, "body", declared);
-  return [=](const Event& event) {
+  const auto take = [=](const Event& event) {
     const auto sides = sides_of(event, name);
     const auto zone = interface_zone(sides);
     if (std::find(zone.begin(), zone.end(), true) == zone.end())
@@ -84,6 +84,7 @@ Measure read_interface_jump(Section& section, const Declared& declared) {
     const double far = jump_ratio(sides, zone, link_of_support);
     return Measured{near, event.last.time, std::abs(near - far), {}};
   };
+  return {take, {Field::kernel_type, Field::pressure}};
 }
 
 }  // namespace tektite

@@ -136,7 +136,7 @@ void check_perforated(const Lip& lip, const Target& target) {
 /// Keys: body (the target), projectile, axis.
 Measure read_impact_diameter(Section& section, const Declared& declared) {
   const auto find_target = read_target(section, declared, true);
-  return [=](const Event& event) {
+  const auto take = [=](const Event& event) {
     const auto target = find_target(event);
     require_across(event, target, Face::back);
     const auto wide = lip_of(event, event.fragments, target);
@@ -153,12 +153,13 @@ Measure read_impact_diameter(Section& section, const Declared& declared) {
     measured.drawing = Segment{middle - side, middle + side};
     return measured;
   };
+  return {take, rim_fields};
 }
 
 /// Keys: body (the target), projectile, axis.
 Measure read_lip_height(Section& section, const Declared& declared) {
   const auto find_target = read_target(section, declared, true);
-  return [=](const Event& event) {
+  const auto take = [=](const Event& event) {
     const auto target = find_target(event);
     require_across(event, target, Face::back);
     const auto wide = lip_of(event, event.fragments, target);
@@ -173,6 +174,7 @@ Measure read_lip_height(Section& section, const Declared& declared) {
         Segment{target.unseen(target.on_line(wide.face)) + side, target.unseen(target.on_line(wide.reach)) + side};
     return measured;
   };
+  return {take, rim_fields};
 }
 
 }  // namespace tektite

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <functional>
 #include <map>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/document.hpp"
@@ -29,7 +31,7 @@ struct Declared {
 struct Event {
   Whole initial;
   Whole last;
-  Snapshot last_snapshot;
+  Snapshot last_snapshot;      ///< with the fields at least that the measures declare
   Fragments fragments;         ///< of `last`, linked over the support of the kernel
   Fragments narrow_fragments;  ///< of `last`, linked over one smoothing length
   std::optional<History> history;
@@ -59,7 +61,14 @@ struct Measured {
 };
 
 /// Throws RunError where the event does not hold what the measure needs.
-using Measure = std::function<Measured(const Event&)>;
+struct Measure {
+  template <std::invocable<const Event&> Take>
+  Measure(Take how, FieldSet of = {}) : take(std::move(how)), fields(std::move(of)) {}  // NOLINT: a measure is that
+  Measured operator()(const Event& event) const { return take(event); }
+
+  std::function<Measured(const Event&)> take;
+  FieldSet fields;  ///< those of the last snapshot that it looks at, beside what Whole has: no others are read
+};
 
 struct MeasureKind {
   std::string name;

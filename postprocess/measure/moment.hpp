@@ -16,16 +16,17 @@ inline std::optional<double> read_moment(Section& section) {
   return section.quantity("time", dimension::time, limits::not_negative);
 }
 
-/// What work(snapshot, whole) gives of the moment. Throws RunError where the run has not come so far.
+/// What work(snapshot, whole) gives of the moment, whose snapshot has these fields. Throws RunError where the run has
+/// not come so far.
 template <class Work>
-Measured measured_at(const Event& event, std::optional<double> time, const Work& work) {
+Measured measured_at(const Event& event, std::optional<double> time, const FieldSet& fields, const Work& work) {
   if (!time) return work(event.last_snapshot, event.last);
   constexpr double rounding = 1e-9;
   if (*time > (1.0 + rounding) * event.last.time)
     throw RunError(
         fmt::format("the run ends at {:g} s, before the {:g} s at which it is looked for", event.last.time, *time));
-  const auto snapshot = read_snapshot(event.snapshots[nearest_snapshot(event, *time)]);
-  return work(snapshot, make_whole(snapshot, event.symmetry));
+  const auto& file = event.snapshots[nearest_snapshot(event, *time)];
+  return work(read_fields(file, fields), read_whole(file, event.symmetry));
 }
 
 }  // namespace tektite

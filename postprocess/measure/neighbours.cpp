@@ -80,7 +80,7 @@ Measure read_clumping_time(Section& section, const Declared& declared) {
   return [=](const Event& event) {
     double before = event.initial.time;
     for (const auto& path : event.snapshots) {
-      const auto whole = make_whole(read_snapshot(path), event.symmetry);
+      const auto whole = read_whole(path, event.symmetry);
       const auto nearest = nearest_distances(whole, whole.body_named(name));
       if (*std::min_element(nearest.begin(), nearest.end()) < ratio)
         return Measured{whole.time, whole.time, whole.time - before, {}};

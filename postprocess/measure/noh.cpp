@@ -55,7 +55,7 @@ Noh exact_of(const Event& event, const NohRun& run) {
   const auto first = body.range.begin;
   const double speed = std::abs(event.initial.velocity[body.range.end - 1][0]);
   if (!(speed > 0.0)) throw RunError("the gas does not move at the start");
-  const auto start = read_snapshot(event.snapshots.front());
+  const auto start = read_fields(event.snapshots.front(), {Field::density});
   return {start.particles.reals(Field::density)[first], speed, run.heat_ratio, event.last.time,
           1 + hoops_of(particles.space())};
 }
@@ -163,7 +163,7 @@ Measured wall_heating(const Event& event, const NohRun& run) {
 
 Measure read_error(Section& section, const Declared& declared, Profile what) {
   const auto run = read_run(section, declared);
-  return [=](const Event& event) { return error_l1(event, run, what); };
+  return {[=](const Event& event) { return error_l1(event, run, what); }, {Field::position, field_of(what)}};
 }
 
 }  // namespace
@@ -182,11 +182,12 @@ Measure read_error_l1_energy(Section& section, const Declared& declared) {
 }
 Measure read_shock_position(Section& section, const Declared& declared) {
   const auto run = read_run(section, declared);
-  return [=](const Event& event) { return shock_position(event, run); };
+  return {[=](const Event& event) { return shock_position(event, run); }, {Field::position, Field::velocity}};
 }
 Measure read_wall_heating(Section& section, const Declared& declared) {
   const auto run = read_run(section, declared);
-  return [=](const Event& event) { return wall_heating(event, run); };
+  return {[=](const Event& event) { return wall_heating(event, run); },
+          {Field::position, Field::specific_internal_energy}};
 }
 
 }  // namespace tektite

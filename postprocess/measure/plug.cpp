@@ -115,7 +115,7 @@ Measure read_debris_velocity(Section& section, const Declared& declared) {
 /// Velocity of the plug along the flight of the projectile. Keys: body (the target), projectile, axis.
 Measure read_plug_velocity(Section& section, const Declared& declared) {
   const auto find_target = read_target(section, declared, false);
-  return [=](const Event& event) {
+  const auto take = [=](const Event& event) {
     const auto target = find_target(event);
     auto measured = velocity_along(event, plug_of(event, target), target.direction);
     if (const auto narrow = find_plug(event, event.narrow_fragments, target))
@@ -123,13 +123,14 @@ Measure read_plug_velocity(Section& section, const Declared& declared) {
           std::abs(measured.value - dot(event.narrow_fragments.list[*narrow].velocity, target.direction));
     return measured;
   };
+  return {take, rim_fields};
 }
 
 /// Largest extent of the plug across the flight, between centres of particles, as all lengths of that table are: 0
 /// where the plug is a single particle. Keys: body (the target), projectile, axis.
 Measure read_plug_width(Section& section, const Declared& declared) {
   const auto find_target = read_target(section, declared, true);
-  return [=](const Event& event) {
+  const auto take = [=](const Event& event) {
     const auto target = find_target(event);
     const auto plug = plug_of(event, target);
     const auto wide = width_of(event.last, event.fragments, plug, target.direction);
@@ -144,6 +145,7 @@ Measure read_plug_width(Section& section, const Declared& declared) {
     measured.drawing = Segment{middle - 0.5 * wide.value * wide.side, middle + 0.5 * wide.value * wide.side};
     return measured;
   };
+  return {take, rim_fields};
 }
 
 }  // namespace tektite

@@ -59,7 +59,7 @@ Measure read_peak(Section& section, const Declared& declared, double sign) {
   const auto body = declared.body_of_probe.at(probe);
   const double from = section.has("from") ? section.quantity("from", dimension::time, limits::not_negative)
                                           : -std::numeric_limits<double>::infinity();
-  return [=](const Event& event) { return peak(event, probe, body, from, sign); };
+  return {[=](const Event& event) { return peak(event, probe, body, from, sign); }, {Field::sound_speed}};
 }
 
 }  // namespace

@@ -19,19 +19,19 @@ Dimension dimension_of(const std::string& profile) {
   return profile == "stress" ? dimension::pressure : dimension::specific_energy;
 }
 
+FieldSet fields_of(const std::string& profile) {
+  if (profile == "stress") return {Field::pressure, Field::deviatoric_stress};
+  return {field_named(profile).value()};
+}
+
 /// The values of a profile; `stress` is that along the line, compression positive.
 std::vector<double> values_of(const Particles& particles, const std::string& profile) {
   std::vector<double> values(particles.count());
-  const auto copy = [&](Field field) {
-    require_field(particles, field);
-    std::ranges::copy(particles.reals(field).first(values.size()), values.begin());
-  };
-  if (profile == "velocity") copy(Field::velocity);
-  if (profile == "density") copy(Field::density);
-  if (profile == "specific_internal_energy") copy(Field::specific_internal_energy);
-  if (profile == "stress") {
-    copy(Field::pressure);
-    require_field(particles, Field::deviatoric_stress);
+  for (const auto field : fields_of(profile)) require_field(particles, field);
+  const bool stress = profile == "stress";
+  const auto along = particles.reals(stress ? Field::pressure : field_named(profile).value());
+  std::ranges::copy(along.first(values.size()), values.begin());
+  if (stress) {
     const auto* s = particles.symmetrics<1>(Field::deviatoric_stress);
     for (std::size_t i = 0; i < values.size(); ++i) values[i] -= s[i](0, 0);
   }
@@ -75,7 +75,7 @@ Measure read_error_l1(Section& section, const Declared& declared) {
   if (declared.space != Space::line) throw section.fault("", "profiles are those of a line", "line");
   const auto profile = section.choice("profile", profiles);
   const auto steps = read_steps(section, profile);
-  return [=](const Event& event) {
+  const auto take = [=](const Event& event) {
     const auto values = values_of(event.last_snapshot.particles, profile);
     const auto& x = event.last.position;
     double sum = 0.0, moved = 0.0;
@@ -87,6 +87,7 @@ Measure read_error_l1(Section& section, const Declared& declared) {
     const double range = range_of(steps);
     return Measured{sum / static_cast<double>(values.size()) / range, event.last.time, moved / range, {}};
   };
+  return {take, fields_of(profile)};
 }
 
 }  // namespace tektite

@@ -80,7 +80,7 @@ Chosen read_chosen(Section& section, const Declared& declared) {
 Measure read_radius(Section& section, const Declared& declared, Face face) {
   const auto chosen = read_chosen(section, declared);
   return [=](const Event& event) {
-    return measured_at(event, chosen.time, [&](const Snapshot&, const Whole& whole) {
+    return measured_at(event, chosen.time, {}, [&](const Snapshot&, const Whole& whole) {
       const auto body = whole.body_named(chosen.body);
       const auto radii = radii_of(event, whole, body, chosen.centre, face);
       const double half = 0.5 * event.initial.bodies[static_cast<std::size_t>(body)].spacing;
@@ -108,7 +108,7 @@ Measure read_outer_radius(Section& section, const Declared& declared) {
 Measure read_symmetry_error(Section& section, const Declared& declared) {
   const auto chosen = read_chosen(section, declared);
   return [=](const Event& event) {
-    return measured_at(event, chosen.time, [&](const Snapshot&, const Whole& whole) {
+    return measured_at(event, chosen.time, {}, [&](const Snapshot&, const Whole& whole) {
       const auto radii = radii_of(event, whole, whole.body_named(chosen.body), chosen.centre, Face::inner);
       return Measured{(radii.largest - radii.least) / radii.mean, whole.time, radii.step / radii.mean, {}};
     });

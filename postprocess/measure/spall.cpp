@@ -16,7 +16,7 @@ namespace tektite {
 Measure read_damaged_area(Section& section, const Declared& declared) {
   if (!is_plane(declared.space)) throw section.fault("", "an area lies in the plane", "plane-strain, plane-stress");
   const auto name = read_body(section, "body", declared);
-  return [=](const Event& event) {
+  const auto take = [=](const Event& event) {
     const auto& particles = event.last_snapshot.particles;
     require_field(particles, Field::damage);
     const auto damage = particles.reals(Field::damage), density = particles.reals(Field::density);
@@ -37,6 +37,7 @@ Measure read_damaged_area(Section& section, const Declared& declared) {
     }
     return Measured{failed, whole.time, 0.5 * beside, {}};
   };
+  return {take, {Field::damage, Field::density, Field::thickness}};
 }
 
 /// Largest velocity along the flight of the projectile on the plate's back face in the last snapshot: the mean over the

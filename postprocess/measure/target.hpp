@@ -40,6 +40,9 @@ enum class Face { front, back };
 /// matter, that within a spacing, does not surround the line.
 void require_across(const Event& event, const Target& target, Face face);
 
+/// What on_rim() looks at of the last snapshot.
+inline const FieldSet rim_fields{Field::clamped};
+
 /// For each particle of the last state, whether it belongs to the rim that holds the target: its clamped particles, or
 /// where it has none, those that lay in the outermost tenth around the flight line.
 std::vector<bool> on_rim(const Event& event, const Target& target);

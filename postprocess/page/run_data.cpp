@@ -62,7 +62,8 @@ std::vector<std::string> pictures_in(const fs::path& folder) {
 
 RunData read_run_data(const std::string& folder) {
   auto run = open_run(folder, "");
-  const auto last = read_snapshot(run.snapshots.back());
+  check_file(run.snapshots.back());
+  const auto last = read_fields(run.snapshots.back(), {});
   auto document = Document::parse(last.scene, run.snapshots.back());
   auto root = document.root();
   const auto scene = read_scene(root, Stage::postprocess);

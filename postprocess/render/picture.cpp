@@ -146,10 +146,17 @@ std::vector<Picture> read_pictures(Section& root, const Declared& declared) {
   return pictures;
 }
 
-std::vector<Picture> default_pictures(const Snapshot& last, const std::optional<History>& history) {
+FieldSet fields_shown(const Picture& picture) {
+  if (picture.type == PictureType::history) return {};
+  auto fields = fields_of_whole();
+  fields.merge(scalar_field_needs(picture.field));
+  return fields;
+}
+
+std::vector<Picture> default_pictures(const FieldSet& held, const std::optional<History>& history) {
   std::vector<Picture> pictures;
   for (const auto* field : {"pressure", "plastic_strain", "damage", "kernel_type"})
-    if (last.particles.has(field_named(field).value())) pictures.push_back(particles_of(field));
+    if (held.contains(field_named(field).value())) pictures.push_back(particles_of(field));
   pictures.push_back(particles_of("speed"));
   pictures.push_back(particles_of("body"));
   if (!history || history->rows() < 2) return pictures;

@@ -53,8 +53,11 @@ struct Picture {
 /// Reads the tables [picture.NAME]; an unknown field or body is answered with the known ones.
 std::vector<Picture> read_pictures(Section& root, const Declared& declared);
 
-/// What is drawn where a scene asks for nothing: the fields of impact that the state holds, and over time the energies
-/// and the pressures that probes saw.
-std::vector<Picture> default_pictures(const Snapshot& last, const std::optional<History>& history);
+/// What is drawn where a scene asks for nothing: the fields of impact that the last snapshot holds, and over time the
+/// energies and the pressures that probes saw.
+std::vector<Picture> default_pictures(const FieldSet& held, const std::optional<History>& history);
+
+/// The fields of a snapshot that a picture of it shows or needs.
+FieldSet fields_shown(const Picture& picture);
 
 }  // namespace tektite

@@ -154,6 +154,14 @@ const FieldSet& saved_fields() {
   return fields;
 }
 
+FieldSet fields_in(const std::string& path) {
+  const hdf5::Reader file(path);
+  FieldSet fields;
+  for (const auto field : saved_fields())
+    if (file.has(fmt::format("/particles/{}", info(field).name))) fields.insert(field);
+  return fields;
+}
+
 Snapshot read_rows(const std::string& path, const ShareOfRows& share, const FieldSet& wanted) {
   const hdf5::Reader file(path);
   if (file.text_attribute("/", "format") != format_name) throw broken(file, "/@format", "this is no particle file");

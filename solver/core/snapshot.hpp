@@ -51,6 +51,9 @@ using ShareOfRows = std::function<hdf5::Rows(std::size_t)>;
 
 using FieldSet = std::set<Field>;
 
+/// The fields of a file that check_file() lets pass. Throws InputError.
+FieldSet fields_in(const std::string& path);
+
 /// Every field that a particle file may have.
 const FieldSet& saved_fields();
 

@@ -106,6 +106,10 @@ TEST_CASE("Snapshot: of the fields those are read that are wanted and there, of 
   CHECK(std::ranges::equal(part.particles.reals(Field::deviatoric_stress), stress.subspan(2 * 6, 3 * 6)));
   CHECK(std::ranges::equal(part.particles.integers(Field::id), ids.subspan(2, 3)));
 
+  auto held = saved_fields();
+  held.erase(Field::damage);
+  CHECK(fields_in(written.path) == held);
+
   const auto beside = read_fields(written.path, {});
   CHECK(beside.particles.memory() == 0);
   CHECK(beside.particles.count() == 7);

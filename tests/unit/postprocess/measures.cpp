@@ -39,7 +39,7 @@ Measured take(const std::string& name, const Event& event, Space space = Space::
   std::ofstream(folder.file("scene.toml")) << scene_text(space, false);
   auto document = Document::load(folder.file("scene.toml"), {}, settings);
   for (const auto& measure : read_plan(document).measures)
-    if (measure.name == name) return measure.measure(event);
+    if (measure.name == name) return taken(measure, event);
   throw std::logic_error("no measure " + name);
 }
 

@@ -30,7 +30,7 @@ Event row(Space space, double stretch, double speed) {
 void take(const std::string& scene, Space space, const Event& event) {
   auto document = Document::parse(scene, "scene.toml");
   auto root = document.root();
-  for (const auto& measure : read_measures(root, {space, {"body"}, {}})) measure.measure(event);
+  for (const auto& measure : read_measures(root, {space, {"body"}, {}})) taken(measure, event);
 }
 
 }  // namespace

@@ -104,7 +104,7 @@ inline Event event_of(const Plate& plate) {
 inline Measured take_of(const std::string& scene, const std::string& name, const Event& event) {
   auto document = Document::parse(scene, "scene.toml");
   for (const auto& measure : read_plan(document).measures)
-    if (measure.name == name) return measure.measure(event);
+    if (measure.name == name) return taken(measure, event);
   throw std::logic_error("no measure " + name);
 }
 

@@ -38,7 +38,7 @@ std::map<std::string, Measured> measured(const std::string& scene, const Declare
   auto document = Document::parse(scene, "scene.toml");
   auto root = document.root();
   std::map<std::string, Measured> values;
-  for (const auto& measure : read_measures(root, declared)) values[measure.name] = measure.measure(event);
+  for (const auto& measure : read_measures(root, declared)) values[measure.name] = test::taken(measure, event);
   return values;
 }
 

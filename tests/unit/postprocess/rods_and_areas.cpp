@@ -29,7 +29,7 @@ Event rod(Space space, double from_surface, const Turn& turn) {
 Measured take(const std::string& kind, Space space, const Event& event) {
   auto document = Document::parse("[measure." + kind + "]\nbody = 'body'\n", "scene.toml");
   auto root = document.root();
-  return read_measures(root, {space, {"body"}, {}}).front().measure(event);
+  return taken(read_measures(root, {space, {"body"}, {}}).front(), event);
 }
 
 }  // namespace
@@ -67,7 +67,7 @@ TEST_CASE("Spall velocity: of a face that moves as one it is uncertain by what t
   event.initial = event.last = make_whole(event.last_snapshot, {});
   auto document = Document::parse("[measure.spall_velocity]\nbody = 'body'\nprojectile = 'shot'\n", "scene.toml");
   auto root = document.root();
-  const auto measured = read_measures(root, {Space::plane_strain, {"shot", "body"}, {}}).front().measure(event);
+  const auto measured = taken(read_measures(root, {Space::plane_strain, {"shot", "body"}, {}}).front(), event);
   CHECK(measured.value == Approx(30.0).epsilon(1e-12));
   CHECK(measured.uncertainty == Approx(5.0).epsilon(1e-12));
 }

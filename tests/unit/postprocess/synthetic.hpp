@@ -77,6 +77,13 @@ inline Event carried_along(Event event, const Point& velocity) {
   return event;
 }
 
+/// What a measure takes of the event, of whose last snapshot it gets no field that it does not declare.
+inline Measured taken(const NamedMeasure& named, Event event) {
+  for (const auto& row : field_table)
+    if (!named.measure.fields.contains(row.field)) event.last_snapshot.particles.release(row.field);
+  return named.measure(event);
+}
+
 /// How the run below ends.
 struct Ending {
   double hole = 0.0;           ///< diameter that is cut out of the plate

@@ -3,8 +3,11 @@
 #include <catch2/catch.hpp>
 
 #include "core/error.hpp"
+#include "core/kernel_type.hpp"
 #include "postprocess/scalar_field.hpp"
 #include "postprocess/whole.hpp"
+#include "support/particles.hpp"
+#include "support/temporary_folder.hpp"
 #include "unit/postprocess/synthetic.hpp"
 
 namespace tektite::test {
@@ -29,6 +32,53 @@ TEST_CASE("Whole: two planes make four quarters, three make eight octants") {
   CHECK(whole.position[7][0] == -1.0);
   CHECK(whole.position[7][1] == -2.0);
   CHECK(whole.position[7][2] == -3.0);
+}
+
+TEST_CASE("Whole: read from a file, field by field, it is that of the snapshot, and takes no other fields") {
+  const TemporaryFolder folder;
+  const auto space = GENERATE(Space::line, Space::axisymmetric, Space::solid);
+  Snapshot snapshot{filled_particles(space), {{"time", 1e-6}}, ""};
+  const auto damage = snapshot.particles.reals(Field::damage);
+  std::ranges::fill(damage, 0.5);
+  damage[1] = damage[5] = 1.0;
+  for (auto& type : snapshot.particles.integers(Field::kernel_type))
+    type = static_cast<std::int64_t>(KernelType::total_lagrangian);
+  snapshot.particles.integers(Field::kernel_type)[5] = static_cast<std::int64_t>(KernelType::eulerian);
+  if (const bool tells = GENERATE(true, false); !tells) snapshot.particles.release(Field::kernel_type);
+  write_snapshot(snapshot, folder.file("particles.h5"));
+  const std::vector<SymmetryPlane> planes{{0, 0.0, 1.0}};
+  const auto read = read_whole(folder.file("particles.h5"), planes);
+  for (const auto& row : field_table)
+    if (!fields_of_whole().contains(row.field)) snapshot.particles.release(row.field);
+  const auto made = make_whole(snapshot, planes);
+  REQUIRE(made.count() == 14);
+  CHECK(read.time == made.time);
+  CHECK(read.axis_image == made.axis_image);
+  const auto same_points = [](const auto& a, const auto& b) {
+    return std::ranges::equal(a, b, [](const Point& p, const Point& q) { return norm(p - q) == 0.0; });
+  };
+  CHECK(same_points(read.position, made.position));
+  CHECK(same_points(read.velocity, made.velocity));
+  CHECK(read.mass == made.mass);
+  CHECK(read.smoothing_length == made.smoothing_length);
+  CHECK(read.body == made.body);
+  CHECK(read.id == made.id);
+  CHECK(read.source == made.source);
+  CHECK(read.image == made.image);
+  CHECK(read.severed == made.severed);
+  CHECK(std::ranges::count(made.severed, 1) == (snapshot.particles.has(Field::kernel_type) ? 2 : 0));
+}
+
+TEST_CASE("Scalar field: what it is said to need is all that it needs") {
+  const auto space = GENERATE(Space::line, Space::plane_strain, Space::solid);
+  const Snapshot all{filled_particles(space), {{"time", 0.0}}, ""};
+  for (const auto& name : scalar_field_names()) {
+    INFO(name);
+    auto some = all;
+    for (const auto& row : field_table)
+      if (!scalar_field_needs(name).contains(row.field)) some.particles.release(row.field);
+    CHECK(scalar_field(some, name) == scalar_field(all, name));
+  }
 }
 
 TEST_CASE("Whole: what is odd across a plane turns its sign in the image, and back in the image of that") {
