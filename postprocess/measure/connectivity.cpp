@@ -43,15 +43,12 @@ UnionFind link_neighbours(const Whole& whole, double link) {
   const PointGrid grid(whole.position, link * *std::max_element(h.begin(), h.end()));
   UnionFind sets(whole.count());
   join_rings(sets, whole);
-  for (std::uint32_t i = 0; i < whole.count(); ++i) {
-    if (whole.severed[i] != 0) continue;
-    grid.around(whole.position[i], whole.dimensions, [&](std::uint32_t j) {
-      if (j >= i || whole.body[i] != whole.body[j] || whole.severed[j] != 0) return;
-      const double reach = 0.5 * link * (h[i] + h[j]);
-      const auto apart = whole.position[i] - whole.position[j];
-      if (dot(apart, apart) < reach * reach) sets.join(i, j);
-    });
-  }
+  grid.for_each_pair(whole.dimensions, [&](std::uint32_t i, std::uint32_t j) {
+    if (whole.body[i] != whole.body[j] || whole.severed[i] != 0 || whole.severed[j] != 0) return;
+    const double reach = 0.5 * link * (h[i] + h[j]);
+    const auto apart = whole.position[i] - whole.position[j];
+    if (dot(apart, apart) < reach * reach) sets.join(i, j);
+  });
   return sets;
 }
 

@@ -26,13 +26,10 @@ void each_pair(const Sides& sides, double reach, const Visit& visit) {
   const auto& whole = sides.whole;
   const auto& h = whole.smoothing_length;
   const PointGrid grid(whole.position, reach * *std::max_element(h.begin(), h.end()));
-  for (std::uint32_t i = 0; i < whole.count(); ++i) {
-    if (whole.body[i] != sides.body) continue;
-    grid.around(whole.position[i], whole.dimensions, [&](std::uint32_t j) {
-      if (j >= i || whole.body[j] != sides.body) return;
-      if (norm(whole.position[i] - whole.position[j]) < 0.5 * reach * (h[i] + h[j])) visit(i, j);
-    });
-  }
+  grid.for_each_pair(whole.dimensions, [&](std::uint32_t i, std::uint32_t j) {
+    if (whole.body[i] != sides.body || whole.body[j] != sides.body) return;
+    if (norm(whole.position[i] - whole.position[j]) < 0.5 * reach * (h[i] + h[j])) visit(i, j);
+  });
 }
 
 /// Particles that have one of the other type within the support of the kernel.

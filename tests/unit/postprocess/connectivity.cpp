@@ -1,8 +1,13 @@
 // Fragments: what hangs together and what does not.
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <random>
+#include <set>
+#include <utility>
 
 #include "postprocess/measure/connectivity.hpp"
+#include "postprocess/measure/point_grid.hpp"
 #include "unit/postprocess/synthetic.hpp"
 
 namespace tektite::test {
@@ -100,6 +105,25 @@ TEST_CASE("Connectivity: the grid finds the fragments that comparing every pair 
   for (std::size_t i = 0; i < label.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if ((label[i] == label[j]) != (fragments.label[i] == fragments.label[j])) FAIL("pair " << i << ", " << j);
+}
+
+TEST_CASE("Point grid: every two points that are nearer than a cell are visited, and none twice") {
+  for (const int dimensions : {1, 2, 3}) {
+    std::mt19937 random(20260 + dimensions);
+    std::uniform_real_distribution<double> place(-3.0, 3.0);
+    std::vector<Point> points(300, Point::zero());
+    for (auto& point : points)
+      for (int k = 0; k < dimensions; ++k) point[k] = place(random);
+    constexpr double cell = 0.9;
+    std::set<std::pair<std::uint32_t, std::uint32_t>> visited;
+    PointGrid(points, cell).for_each_pair(dimensions, [&](std::uint32_t i, std::uint32_t j) {
+      if (i == j || !visited.insert(std::minmax(i, j)).second) FAIL("pair " << i << ", " << j);
+    });
+    for (std::uint32_t i = 0; i < points.size(); ++i)
+      for (std::uint32_t j = i + 1; j < points.size(); ++j)
+        if (norm(points[i] - points[j]) < cell && !visited.contains({i, j})) FAIL("missing " << i << ", " << j);
+    CHECK(visited.size() < points.size() * (points.size() - 1) / 2);
+  }
 }
 
 }  // namespace tektite::test
