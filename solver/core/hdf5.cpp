@@ -97,15 +97,9 @@ void Writer::group(const std::string& name) {
 void Writer::dataset(const std::string& name, hid_t type, const void* values, const Rows& rows, std::size_t columns) {
   const auto space = space_of(rows.all, columns), own = space_of(rows.count, columns);
   const auto properties = made_without_times(H5P_DATASET_CREATE);
-  if (rows.all > 0) {
-    constexpr hsize_t rows_per_chunk = 65536;
-    const std::array<hsize_t, 2> chunk{std::min<hsize_t>(rows.all, rows_per_chunk), columns};
-    H5Pset_chunk(properties.id(), columns == 1 ? 1 : 2, chunk.data());
-    H5Pset_fletcher32(properties.id());
-    // As it is where several processes write: so one leaves the same bytes.
-    H5Pset_alloc_time(properties.id(), H5D_ALLOC_TIME_EARLY);
-    H5Pset_fill_time(properties.id(), H5D_FILL_TIME_NEVER);
-  }
+  // As it is where several processes write: so one leaves the same bytes. What is never written stays a hole.
+  H5Pset_alloc_time(properties.id(), H5D_ALLOC_TIME_EARLY);
+  H5Pset_fill_time(properties.id(), H5D_FILL_TIME_NEVER);
   const Handle data(H5Dcreate2(file_.id(), name.c_str(), type, space.id(), H5P_DEFAULT, properties.id(), H5P_DEFAULT),
                     H5Dclose);
   const Handle transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
@@ -126,7 +120,6 @@ void Writer::integers(const std::string& name, std::span<const std::int64_t> val
 }
 
 void Writer::text(const std::string& name, const std::string& value) {
-  // Stored as bytes in a chunked dataset, so that it carries a checksum too.
   const bool writes = !together_ || together_->first();
   dataset(name, H5T_NATIVE_UCHAR, value.data(), {0, writes ? value.size() : 0, value.size()}, 1);
 }
@@ -205,6 +198,13 @@ void Reader::read(const Handle& data, const std::string& name, hid_t type, void*
   const auto own = space_of(rows.count, columns);
   if (H5Dread(data.id(), type, own.id(), space.id(), H5P_DEFAULT, values) < 0)
     throw broken(path_, name, "cannot be read: it is truncated or its checksum is wrong");
+}
+
+std::uint64_t Reader::offset(const std::string& name) const {
+  const Handle data(H5Dopen2(file_.id(), name.c_str(), H5P_DEFAULT), H5Dclose);
+  const auto offset = data.valid() ? H5Dget_offset(data.id()) : HADDR_UNDEF;
+  if (offset == HADDR_UNDEF) throw broken(path_, name, "does not lie in one piece");
+  return offset;
 }
 
 std::vector<double> Reader::reals(const std::string& name, const Rows& rows, std::size_t columns) const {

@@ -1,6 +1,7 @@
 #pragma once
 // The little of HDF5 that tektite needs, with handles that close themselves and faults that name the file and the part.
-// Every dataset carries a checksum, so a flipped bit is told and not computed with.
+// A dataset lies in one piece, its rows one behind the other, as whoever writes a part of them without HDF5 expects.
+// Whether its bytes are as they were, the seal behind the file tells (seal.hpp).
 
 #include <hdf5.h>
 
@@ -76,6 +77,8 @@ class Reader {
   explicit Reader(const std::string& path);
   bool has(const std::string& name) const;
   std::vector<std::string> members(const std::string& group) const;
+  /// The byte of the file at which the rows of a dataset begin.
+  std::uint64_t offset(const std::string& name) const;
   std::vector<double> reals(const std::string& name, const Rows& rows, std::size_t columns) const;
   std::vector<std::int64_t> integers(const std::string& name, const Rows& rows, std::size_t columns) const;
   std::string text(const std::string& name) const;

@@ -33,16 +33,28 @@ std::uint32_t checksum_of(std::ifstream& file, std::uint64_t length) {
 
 }  // namespace
 
-void seal(const std::string& path) {
+void seal(const std::string& path, std::uint32_t checksum) {
   Seal seal;
-  std::ifstream file(path, std::ios::binary | std::ios::ate);
-  const auto length = static_cast<std::uint64_t>(file.tellg());
-  file.seekg(0);
-  seal.checksum = checksum_of(file, length);
+  seal.checksum = checksum;
   std::ofstream end(path, std::ios::binary | std::ios::app);
   end.write(reinterpret_cast<const char*>(&seal), sizeof seal);
   end.close();
-  if (!file || !end) throw RunError(path + ": cannot be written to its end (is the disk full?)");
+  if (!end) throw RunError(path + ": cannot be written to its end (is the disk full?)");
+}
+
+std::uint32_t checksum_of(const std::string& path, std::uint64_t first, std::uint64_t length) {
+  std::ifstream file(path, std::ios::binary);
+  file.seekg(static_cast<std::streamoff>(first));
+  const auto checksum = checksum_of(file, length);
+  if (!file) throw RunError(path + ": what was written to it cannot be read again");
+  return checksum;
+}
+
+void seal(const std::string& path) {
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  const auto length = file.tellg();
+  if (!file) throw RunError(path + ": cannot be written to its end (is it there?)");
+  seal(path, checksum_of(path, 0, static_cast<std::uint64_t>(length)));
 }
 
 bool check_seal(const std::string& path) {

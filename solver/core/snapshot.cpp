@@ -52,6 +52,17 @@ Space read_space(const hdf5::Reader& file) {
   throw broken(file, "/@space", fmt::format("unknown space \"{}\"", name));
 }
 
+/// Of a particle file that this program knows.
+std::int64_t read_format(const hdf5::Reader& file) {
+  if (file.text_attribute("/", "format") != format_name) throw broken(file, "/@format", "this is no particle file");
+  const auto format = file.integer_attribute("/", "format_version");
+  if (format < 1 || format > particle_format_version)
+    throw broken(
+        file, "/@format_version",
+        fmt::format("format {} is not known to this program, which reads up to {}", format, particle_format_version));
+  return format;
+}
+
 void check_numbers(const hdf5::Reader& file, const FieldInfo& field, std::span<const double> values) {
   for (const double value : values)
     if (!std::isfinite(value))
@@ -164,12 +175,7 @@ FieldSet fields_in(const std::string& path) {
 
 Snapshot read_rows(const std::string& path, const ShareOfRows& share, const FieldSet& wanted) {
   const hdf5::Reader file(path);
-  if (file.text_attribute("/", "format") != format_name) throw broken(file, "/@format", "this is no particle file");
-  const auto format = file.integer_attribute("/", "format_version");
-  if (format < 1 || format > particle_format_version)
-    throw broken(
-        file, "/@format_version",
-        fmt::format("format {} is not known to this program, which reads up to {}", format, particle_format_version));
+  read_format(file);
   Snapshot snapshot;
   snapshot.scene = file.text("/scene");
   for (const auto& name : file.attributes("/state")) snapshot.state[name] = file.real_attribute("/state", name);
@@ -205,10 +211,14 @@ Snapshot read_fields(const std::string& path, const FieldSet& wanted) { return r
 void check_file(const std::string& path) {
   if (!std::filesystem::exists(path)) throw InputError({{path, 0}, {}, {}, "there is no such file", {}});
   if (!std::filesystem::is_regular_file(path)) throw InputError({{path, 0}, {}, {}, "this is no file", {}});
+  if (check_seal(path)) return;
   // A file without a seal may be anything, and the HDF5 library does not survive everything.
-  if (!check_seal(path) && !can_be_read(path, [&] { read_rows(path, all_rows); }))
+  if (!can_be_read(path, [&] { read_rows(path, all_rows); }))
     throw InputError(
         {{path, 0}, {}, {}, "the file is damaged: the HDF5 library fails on it", "a particle file of tektite, whole"});
+  constexpr std::int64_t last_without_seal = 1;
+  if (const hdf5::Reader file(path); read_format(file) > last_without_seal)
+    throw broken(file, {}, "the file is damaged: its end is missing, which has the checksum of the rest");
 }
 
 Snapshot read_snapshot(const std::string& path) {

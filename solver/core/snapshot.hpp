@@ -6,6 +6,9 @@
 //   /state           @time and every other number of the run's state
 //   /bodies/NNNN     @name @material @spacing @first @count
 //   /particles/FIELD (count) or (count, components), with @unit and @symbol
+//
+// and behind all that the seal of seal.hpp, without which a file is not whole. Files of the format 1, those of others
+// too, need none.
 
 #include <functional>
 #include <map>
@@ -32,7 +35,7 @@ struct Snapshot {
   double time() const { return state.at("time"); }
 };
 
-inline constexpr int particle_format_version = 1;
+inline constexpr int particle_format_version = 2;
 
 /// Writes beside and renames, so that `path` is either whole or as it was. Throws RunError.
 void write_snapshot(const Snapshot& snapshot, const std::string& path);

@@ -2,11 +2,11 @@
 #include <catch2/catch.hpp>
 #include <cstdint>
 #include <cstdlib>
-#include <iostream>
 #include <random>
 
 #include "core/error.hpp"
 #include "core/hdf5.hpp"
+#include "core/seal.hpp"
 #include "core/snapshot.hpp"
 #include "robustness/small_run.hpp"
 #include "support/unfinished_file.hpp"
@@ -93,38 +93,25 @@ TEST_CASE("Broken files: cut or with a bit flipped, they are refused by every pr
 
 TEST_CASE("Broken files: the same, two hundred times", "[.long]") { spoil(200, seed()); }
 
-/// Without its seal a file is at the mercy of the HDF5 library.
+/// Without its seal a file is at the mercy of the HDF5 library, until its format is known to need one.
 void spoil_unsealed(int times, unsigned seed) {
   INFO("TEKTITE_SEED=" << seed);
   std::mt19937 random(seed);
   const SmallRun small("adaptle");
   small.fill("run");
   const auto path = small.folder("run/particles.h5");
-  const auto right = read_snapshot(path);
   constexpr std::size_t seal = 16;
   auto bytes = content_of(path);
   bytes.resize(bytes.size() - seal);
-  int refused = 0;
   for (int k = 0; k < times; ++k) {
     INFO("number " << k);
     write_bytes(path, k % 4 == 0 ? cut(bytes, random) : flipped(bytes, random, 1 + k % 3));
-    try {
-      const auto read = read_snapshot(path);
-      // A place in the file that nothing depends on.
-      CHECK(read.scene == right.scene);
-      CHECK(read.state == right.state);
-      CHECK(std::ranges::equal(read.particles.reals(Field::position), right.particles.reals(Field::position)));
-      CHECK(std::ranges::equal(read.particles.reals(Field::velocity), right.particles.reals(Field::velocity)));
-    } catch (const InputError& fault) {
-      ++refused;
-      CHECK_THAT(fault.what(), Contains("particles.h5"));
-    }
+    CHECK_THROWS_AS(read_snapshot(path), InputError);
+    CHECK_THROWS_WITH(read_snapshot(path), Contains("particles.h5"));
   }
-  CHECK(refused > times / 2);
-  std::cout << "unsealed files, seed " << seed << ": " << refused << " of " << times << " refused\n";
 }
 
-TEST_CASE("Broken files: those without a seal are refused or read rightly") { spoil_unsealed(100, seed()); }
+TEST_CASE("Broken files: those without a seal are refused") { spoil_unsealed(50, seed()); }
 
 TEST_CASE("Broken files: five thousand without a seal", "[.long]") { spoil_unsealed(5000, seed()); }
 
@@ -179,11 +166,9 @@ TEST_CASE("Foreign files: a snapshot whose state lacks a number that the run nee
   small.fill("run");
   REQUIRE(small.program(small.solving("run")).code == 0);
   const auto last = tektite::snapshot_files(small.folder("run")).back();
-  const auto bytes = content_of(last);
-  constexpr std::size_t seal = 16;
-  write_bytes(last, bytes.substr(0, bytes.size() - seal));
   REQUIRE(small.program(small.resuming("run")).code == 0);
   add(last, [&name = name](hid_t file) { REQUIRE(H5Adelete_by_name(file, "/state", name.c_str(), H5P_DEFAULT) >= 0); });
+  seal(last);
   const auto outcome = small.program(small.resuming("run"));
   CHECK(outcome.code == 2);
   const auto path = "run/snapshots/" + fs::path(last).filename().string();
@@ -212,7 +197,7 @@ void list_members_in_a_tree(const std::string& path) {
 TEST_CASE("Foreign files: one whose list of members is spoilt is refused, whether HDF5 survives it or not") {
   const TemporaryFolder folder;
   const auto path = folder.file("spoilt.h5");
-  unfinished_file(path, particle_format_version, 4).close();
+  unfinished_file(path, 1, 4).close();
   list_members_in_a_tree(path);
   auto bytes = content_of(path);
   const std::string leaf_of_members("BTLF\0\5", 6);  // version 0, type 5: names of links
@@ -229,7 +214,7 @@ TEST_CASE("Foreign files: one whose list of members is spoilt is refused, whethe
 TEST_CASE("Foreign files: an attribute with many values where one belongs is refused") {
   const TemporaryFolder folder;
   const auto path = folder.file("many.h5");
-  unfinished_file(path, particle_format_version, 4).close();
+  unfinished_file(path, 1, 4).close();
   add(path, [](hid_t file) {
     const std::vector<double> values(4000, 1.0);
     const hsize_t count = values.size();
@@ -247,7 +232,7 @@ TEST_CASE("Foreign files: numbers that are claimed and not stored are refused be
   const TemporaryFolder folder;
   const auto path = folder.file("claimed.h5");
   static constexpr hsize_t count = hsize_t{1} << 36;
-  unfinished_file(path, particle_format_version, count).close();
+  unfinished_file(path, 1, count).close();
   add(path, [](hid_t file) {
     const hsize_t chunk = 1024;
     const hid_t space = H5Screate_simple(1, &count, nullptr);
@@ -294,7 +279,7 @@ TEST_CASE("Foreign files: one that needs a thousand times the memory of its byte
   const TemporaryFolder folder;
   const auto path = folder.file("packed.h5");
   static constexpr hsize_t chunk = hsize_t{1} << 20, count = 512 * chunk;  // 4 GB in 4 MB
-  unfinished_file(path, particle_format_version, count).close();
+  unfinished_file(path, 1, count).close();
   add(path, [](hid_t file) { add_packed_zeros(file, "/particles/density", count, chunk); });
   CHECK(fs::file_size(path) < 8'000'000);
   refused(path, "the HDF5 library fails on it");

@@ -30,4 +30,13 @@ TEST_CASE("Checksum: it does not depend on the parts that the bytes come in") {
   }
 }
 
+TEST_CASE("Checksum: parts that were looked at apart are joined") {
+  const std::string bytes = "The quick brown fox jumps over the lazy dog";
+  for (std::size_t cut = 0; cut <= bytes.size(); ++cut) {
+    tektite::Crc32 checksum;
+    for (const auto& part : {bytes.substr(0, cut), bytes.substr(cut)}) checksum.take(checksum_of(part), part.size());
+    CHECK(checksum.value() == checksum_of(bytes));
+  }
+}
+
 }  // namespace

@@ -128,24 +128,60 @@ TEST_CASE("HDF5: members and attributes of which the list is spoilt are refused 
              Contains("spoilt.h5: /: has attributes that cannot be listed"));
 }
 
+/// Numbers in a piece of their own with a checksum, as others store them.
+void write_checked(const std::string& path, const char* name, const std::vector<double>& numbers) {
+  const Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
+  const hsize_t count = numbers.size();
+  const Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose);
+  const Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  H5Pset_chunk(properties.id(), 1, &count);
+  H5Pset_fletcher32(properties.id());
+  const Handle data(
+      H5Dcreate2(file.id(), name, H5T_NATIVE_DOUBLE, space.id(), H5P_DEFAULT, properties.id(), H5P_DEFAULT), H5Dclose);
+  REQUIRE(H5Dwrite(data.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()) >= 0);
+}
+
+std::string bytes_of(const std::vector<double>& numbers) {
+  return {reinterpret_cast<const char*>(numbers.data()), sizeof(double) * numbers.size()};
+}
+
 TEST_CASE("HDF5: numbers that are not those of their checksum are refused with file and place") {
   const test::TemporaryFolder folder;
   const auto path = folder.file("changed.h5");
   const std::vector<double> numbers(4, 1234.5);
-  {
-    hdf5::Writer writer(path);
-    writer.reals("/four", numbers, 1, numbers.size());
-    writer.close();
-  }
-  const std::string stored(reinterpret_cast<const char*>(numbers.data()), sizeof(double) * numbers.size());
+  write_checked(path, "/four", numbers);
+  CHECK(hdf5::Reader(path).reals("/four", 4, 1) == numbers);
   auto bytes = bytes_of(path);
-  const auto at = bytes.find(stored);
+  const auto at = bytes.find(bytes_of(numbers));
   REQUIRE(at != std::string::npos);
   bytes[at] = static_cast<char>(bytes[at] ^ 1);
   std::ofstream(path, std::ios::binary) << bytes;
   const hdf5::Reader reader(path);
   CHECK_THAT(test::fault_of([&] { reader.reals("/four", 4, 1); }),
              Contains("changed.h5: /four: cannot be read: it is truncated or its checksum is wrong"));
+}
+
+TEST_CASE("HDF5: the rows of a dataset lie one behind the other where its offset says") {
+  const test::TemporaryFolder folder;
+  const auto path = folder.file("rows.h5");
+  constexpr std::size_t rows = 100'000;
+  std::vector<double> numbers(3 * rows);
+  for (std::size_t k = 0; k < numbers.size(); ++k) numbers[k] = static_cast<double>(k);
+  {
+    hdf5::Writer writer(path);
+    writer.reals("/before", numbers, 1, numbers.size());
+    writer.reals("/numbers", numbers, 3, rows);
+    writer.close();
+  }
+  const auto offset = hdf5::Reader(path).offset("/numbers");
+  CHECK(bytes_of(path).substr(offset, sizeof(double) * numbers.size()) == bytes_of(numbers));
+
+  const auto others = folder.file("others.h5");
+  write_checked(others, "/four", std::vector<double>(4, 1.0));
+  CHECK_THAT(test::fault_of([&] { hdf5::Reader(others).offset("/four"); }),
+             Contains("others.h5: /four: does not lie in one piece"));
+  CHECK_THAT(test::fault_of([&] { hdf5::Reader(others).offset("/none"); }),
+             Contains("/none: does not lie in one piece"));
 }
 
 TEST_CASE("HDF5: what cannot be written is told with file and place") {
