@@ -16,19 +16,27 @@ inline std::string text_of_all(const std::string& own) {
   return text;
 }
 
-/// work() of every rank, which does not speak with the others. Throws InputError on all where one has thrown it: that
-/// of the first of these.
+/// work() of every rank, which does not speak with the others. Throws InputError or RunError on all where one has
+/// thrown it: that of the first of these.
 template <class Work>
 auto agreed(const Work& work) {
+  if (ranks() == 1) return work();
+  constexpr char of_input = 'i', of_run = 'r';
   std::optional<decltype(work())> done;
   std::string fault;
   try {
     done.emplace(work());
   } catch (const InputError& found) {
-    fault = found.what();
+    fault = of_input + std::string(found.what());
+  } catch (const RunError& found) {
+    fault = of_run + std::string(found.what());
   }
-  for (const auto& words : gather_on_all({fault.begin(), fault.end()}))
-    if (!words.empty()) throw InputError(std::string(words.begin(), words.end()));
+  for (const auto& words : gather_on_all({fault.begin(), fault.end()})) {
+    if (words.empty()) continue;
+    const std::string told(words.begin() + 1, words.end());
+    if (words.front() == of_run) throw RunError(told);
+    throw InputError(told);
+  }
   return std::move(*done);
 }
 

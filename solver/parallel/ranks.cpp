@@ -190,7 +190,7 @@ void begin_ranks() {
     throw InputError({{},
                       {},
                       {},
-                      "several processes were started, but this tektite-solve was built without MPI",
+                      "several processes were started, but this program was built without MPI",
                       "one process with --threads; or a build where cmake finds MPI (libopenmpi-dev)"});
 }
 void leave_ranks(int) {}

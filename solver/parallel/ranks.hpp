@@ -58,14 +58,19 @@ inline constexpr auto either = [](bool& whole, bool part) { whole = whole || par
 /// Gives every rank the values of all, joined; `size` is that of one in bytes.
 void combine_over_ranks(void* values, std::size_t count, std::size_t size, const Combine& combine);
 
-/// The value of all ranks by join(whole, part), where the particles are distributed.
+/// The value of all ranks by join(whole, part).
+template <class Value, class Join>
+Value of_all_ranks(Value value, const Join& join) {
+  combine_over_ranks(&value, 1, sizeof(Value), [&](const void* part, void* whole, std::size_t) {
+    join(*static_cast<Value*>(whole), *static_cast<const Value*>(part));
+  });
+  return value;
+}
+
+/// The same where the particles are distributed.
 template <class Value, class Join>
 Value over_ranks(const Particles& particles, Value value, const Join& join) {
-  if (distributed(particles))
-    combine_over_ranks(&value, 1, sizeof(Value), [&](const void* part, void* whole, std::size_t) {
-      join(*static_cast<Value*>(whole), *static_cast<const Value*>(part));
-    });
-  return value;
+  return distributed(particles) ? of_all_ranks(value, join) : value;
 }
 
 /// The same for each of some values.

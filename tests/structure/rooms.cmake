@@ -23,8 +23,8 @@ list(TRANSFORM ENGINE APPEND / OUTPUT_VARIABLE SEES_engine)
 list(APPEND FOLDERS_engine solver)
 list(APPEND SEES_engine core/ physics/)
 set(THREADS solver/parallel)  # where alone of the engine loops are handed to threads, and processes are known
-set(TARGETS_engine tektite_engine tektite-solve)
-set(LINKS_engine tektite_core tektite_physics tektite_engine tektite_options tektite_serial_hdf5)
+set(TARGETS_engine tektite_ranks tektite_engine tektite-solve)
+set(LINKS_engine tektite_core tektite_physics tektite_ranks tektite_engine tektite_options tektite_serial_hdf5)
 
 set(FOLDERS_front solver/front)
 set(SEES_front core/ front/)
@@ -32,9 +32,9 @@ set(TARGETS_front tektite)
 set(LINKS_front tektite_core tektite_serial_hdf5)
 
 set(FOLDERS_preprocess preprocess)
-set(SEES_preprocess core/ preprocess/)
+set(SEES_preprocess core/ preprocess/ parallel/agreed.hpp parallel/ranks.hpp parallel/reduce.hpp parallel/sums.hpp)
 set(TARGETS_preprocess tektite_preprocess tektite-preprocess)
-set(LINKS_preprocess tektite_core tektite_preprocess tektite_options tektite_serial_hdf5)
+set(LINKS_preprocess tektite_core tektite_ranks tektite_preprocess tektite_options tektite_serial_hdf5)
 set(FOREIGN_preprocess CGAL)
 
 set(FOLDERS_postprocess postprocess)
