@@ -16,7 +16,8 @@ namespace {
 using Type = StopCondition::Type;
 using Place = std::array<double, 3>;
 
-const std::vector<std::string> type_names{"perforated", "rebounded", "kinetic-energy-steady", "steady"};  // as Type
+const std::vector<std::string> type_names{"perforated", "rebounded", "kinetic-energy-steady", "steady",
+                                          "passes"};  // as Type
 
 bool is_passage(const StopCondition& condition) {
   return condition.type == Type::perforated || condition.type == Type::rebounded;
@@ -83,6 +84,9 @@ std::vector<StopCondition> read_stop_conditions(Section& root, const std::vector
       condition.body = section.choice("body", bodies);
       if (condition.projectile == condition.body)
         throw section.fault("body", "a body does not strike itself", "another body");
+    } else if (condition.type == Type::passes) {
+      condition.column = section.text("column");
+      condition.value = section.quantity("value", dimension::none, {}, 0.0);
     } else {
       condition.column = condition.type == Type::steady ? section.text("column") : "kinetic_energy";
       condition.tolerance = section.quantity("tolerance", dimension::none, {0.0, 1.0, true}, 0.01);
@@ -165,10 +169,25 @@ bool Steadiness::steady(const StopCondition& condition, double time, double valu
   return time - *since_ >= condition.during;
 }
 
+void Crossing::save(const StopCondition& condition, std::map<std::string, double>& state) const {
+  if (side_ != 0.0) state[key(condition, "side")] = side_;
+}
+
+void Crossing::restore(const StopCondition& condition, const std::map<std::string, double>& state) {
+  if (state.contains(key(condition, "side"))) side_ = saved_number(state, key(condition, "side"));
+}
+
+bool Crossing::passed(const StopCondition& condition, double value) {
+  const double away = value - condition.value;
+  if (side_ != 0.0) return away * side_ <= 0.0;
+  if (away != 0.0) side_ = away > 0.0 ? 1.0 : -1.0;
+  return false;
+}
+
 StopConditions::StopConditions(const std::vector<StopCondition>& conditions, const Particles& start,
                                const std::vector<std::string>& columns) {
   for (const auto& condition : conditions) {
-    watches_.push_back({condition, std::nullopt, {}, 0});
+    watches_.push_back({condition, std::nullopt, {}, {}, 0});
     if (is_passage(condition)) watches_.back().passage = Passage(condition, start);
   }
   met_ = watches_.size();
@@ -178,9 +197,10 @@ StopConditions::StopConditions(const std::vector<StopCondition>& conditions, con
 StopConditions::StopConditions(const std::vector<StopCondition>& conditions, const std::map<std::string, double>& state,
                                const std::vector<std::string>& columns) {
   for (const auto& condition : conditions) {
-    watches_.push_back({condition, std::nullopt, {}, 0});
+    watches_.push_back({condition, std::nullopt, {}, {}, 0});
     if (is_passage(condition)) watches_.back().passage = Passage(condition, state);
     watches_.back().steadiness.restore(condition, state);
+    watches_.back().crossing.restore(condition, state);
   }
   const auto met = state.find("stop_when.met");
   met_ = met == state.end() ? watches_.size() : static_cast<std::size_t>(met->second);
@@ -197,6 +217,7 @@ void StopConditions::save(std::map<std::string, double>& state) const {
   for (const auto& watch : watches_) {
     if (watch.passage) watch.passage->save(watch.condition, state);
     watch.steadiness.save(watch.condition, state);
+    watch.crossing.save(watch.condition, state);
   }
   if (met()) state["stop_when.met"] = static_cast<double>(met_);
 }
@@ -207,6 +228,8 @@ bool StopConditions::holds(Watch& watch, double time, const Particles& particles
       return watch.passage->perforated(watch.condition, particles);
     case Type::rebounded:
       return watch.passage->rebounded(watch.condition, particles);
+    case Type::passes:
+      return watch.crossing.passed(watch.condition, numbers[watch.column]);
     default:
       return watch.steadiness.steady(watch.condition, time, numbers[watch.column]);
   }
@@ -223,6 +246,8 @@ std::string in_words(const StopCondition& condition) {
       return fmt::format("{} has perforated {}", condition.projectile, condition.body);
     case Type::rebounded:
       return fmt::format("{} has rebounded from {}", condition.projectile, condition.body);
+    case Type::passes:
+      return fmt::format("{} has passed {:g}", condition.column, condition.value);
     default:
       return fmt::format("{} has been steady within {:g} % for {:g} s", condition.column, 100.0 * condition.tolerance,
                          condition.during);

@@ -15,13 +15,14 @@
 namespace tektite {
 
 struct StopCondition {
-  enum class Type { perforated, rebounded, kinetic_energy_steady, steady };
+  enum class Type { perforated, rebounded, kinetic_energy_steady, steady, passes };
   std::string name;
   Type type = Type::steady;
   std::string projectile, body;  ///< of perforated and rebounded
-  std::string column;            ///< of history.csv; of the steady ones
+  std::string column;            ///< of history.csv; of the others
   double tolerance = 0.0;        ///< of the column's largest magnitude so far
   double during = 0.0;           ///< s
+  double value = 0.0;            ///< in the column's unit, to be passed
 };
 
 /// Reads all [stop_when.NAME]. Throws InputError.
@@ -65,6 +66,17 @@ class Steadiness {
   double largest_ = 0.0;  ///< magnitude
 };
 
+/// Whether a value has come to another one, from the side on which it was at first.
+class Crossing {
+ public:
+  void save(const StopCondition& condition, std::map<std::string, double>& state) const;
+  void restore(const StopCondition& condition, const std::map<std::string, double>& state);
+  bool passed(const StopCondition& condition, double value);
+
+ private:
+  double side_ = 0.0;  ///< 1 above, -1 below, 0 as long as it has been nowhere else
+};
+
 class StopConditions {
  public:
   /// `columns` are those of the numbers that look() is given.
@@ -84,6 +96,7 @@ class StopConditions {
     StopCondition condition;
     std::optional<Passage> passage;
     Steadiness steadiness;
+    Crossing crossing;
     std::size_t column = 0;
   };
   static bool holds(Watch& watch, double time, const Particles& particles, const std::vector<double>& numbers);

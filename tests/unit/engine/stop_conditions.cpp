@@ -64,3 +64,26 @@ TEST_CASE("Stop: steady is what has stayed near one value for so long, through a
     CHECK(stopped == 5.0);  // the 6 of t = 3 is within 1 of the values that follow, until t = 5
   }
 }
+
+TEST_CASE("Stop: a number has passed another one when it comes to it or beyond, from either side", "[stop]") {
+  const auto particles = impact(-3.0, 10.0);
+  const auto stopped_at = [&](const std::vector<double>& values, double value, bool restarted) {
+    const StopCondition condition{"stop", StopCondition::Type::passes, "", "", "a", 0.0, 0.0, value};
+    StopConditions stops({condition}, particles, {"a"});
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      stops.look(static_cast<double>(k), particles, {values[k]});
+      if (stops.met()) return static_cast<int>(k);
+      std::map<std::string, double> state;
+      stops.save(state);
+      if (restarted) stops = StopConditions({condition}, state, {"a"});
+    }
+    return -1;
+  };
+  for (const bool restarted : {false, true}) {
+    CHECK(stopped_at({-3.0, -1.0, 0.5, -2.0}, 0.0, restarted) == 2);
+    CHECK(stopped_at({3.0, 2.5, 2.0, 1.0}, 2.0, restarted) == 2);
+    CHECK(stopped_at({0.0, 0.0, 1.0, 2.0}, 0.0, restarted) == -1);  // goes away from where it was
+    CHECK(stopped_at({0.0, 1.0, -1.0}, 0.0, restarted) == 2);
+    CHECK(stopped_at({1.0, 2.0}, 3.0, restarted) == -1);
+  }
+}
