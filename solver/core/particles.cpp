@@ -57,8 +57,8 @@ void Particles::adopt(Field field, std::vector<std::int64_t> values) {
 
 void Particles::release(Field field) {
   allocated_[slot(field)] = false;
-  reals_[slot(field)] = {};
-  integers_[slot(field)] = {};
+  reals_[slot(field)] = std::vector<double>();  // {} would leave it as large as it is
+  integers_[slot(field)] = std::vector<std::int64_t>();
 }
 
 bool Particles::has(Field field) const { return allocated_[slot(field)]; }

@@ -1,6 +1,8 @@
 // The particles' arrays.
 #include "core/particles.hpp"
 
+#include <malloc.h>
+
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>
@@ -55,6 +57,18 @@ TEST_CASE("Particles: allocating fills with zeros, keeps what is there, and leav
   CHECK(particles.memory() == 9 * 3 * sizeof(double));
   particles.release(Field::velocity);
   CHECK_FALSE(particles.has(Field::velocity));
+}
+
+TEST_CASE("Particles: a field that is released gives its memory back") {
+  constexpr std::size_t count = 1'000'000;
+  const auto in_use = [] { return ::mallinfo2().uordblks + ::mallinfo2().hblkhd; };
+  Particles particles(Space::line, {{"bar", "steel", 1e-3, {0, count}}});
+  for (const auto field : {Field::density, Field::id}) {
+    particles.allocate(field);
+    const auto before = in_use();
+    particles.release(field);
+    CHECK(in_use() + count * sizeof(double) <= before);
+  }
 }
 
 TEST_CASE("Particles: asking for a field that is not there is an error of the program") {
