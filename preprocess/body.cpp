@@ -7,6 +7,8 @@
 #include <optional>
 
 #include "core/plain_name.hpp"
+#include "parallel/agreed.hpp"
+#include "preprocess/dealing.hpp"
 #include "preprocess/geometry/registry.hpp"
 #include "preprocess/symmetry.hpp"
 
@@ -124,14 +126,19 @@ FilledBody fill_body(BodyPlan plan, const Scene& scene, double most_particles) {
   const double kept =
       as_fault_of(plan.section, "shape", [&] { return kept_measure(*plan.shape, planes, scene.space); });
   if (kept <= 0.0) throw plan.section.fault("shape", "the body lies wholly beyond a symmetry plane");
-  auto filling = as_fault_of(plan.section, "arrangement",
-                             [&] { return plan.arrangement.arrangement->fill(*plan.shape, spacing); });
+  auto filling = agreed([&] {
+    return as_fault_of(plan.section, "arrangement",
+                       [&] { return plan.arrangement.arrangement->fill(*plan.shape, spacing, this_share()); });
+  });
   keep_side(filling.positions, planes, edge_tolerance * spacing);
-  if (filling.positions.empty())
+  auto dealt = deal(std::move(filling.positions));
+  if (dealt.all == 0)
     throw plan.section.fault("shape", fmt::format("no particle falls inside at a spacing of {:g} m", spacing));
-  auto warnings = misaligned(filling.positions, plan.shape->bounds(), spacing, planes);
+  auto warnings = misaligned(dealt.points, plan.shape->bounds(), spacing, planes);
   return {std::move(plan),
-          std::move(filling.positions),
+          std::move(dealt.points),
+          dealt.first,
+          dealt.all,
           spacing,
           filling.step_along_x.value_or(spacing),
           filling.cell,

@@ -27,10 +27,12 @@ struct BodyPlan {
   Section section;                  ///< for faults that are found later
 };
 
-/// A body with its particles.
+/// A body with its particles: of several ranks each has as many as the others, one rank's behind the other's.
 struct FilledBody {
   BodyPlan plan;
   std::vector<Point> positions;  ///< m
+  std::size_t first = 0;         ///< how many the ranks before have
+  std::size_t count = 0;         ///< how many there are on all ranks
   double spacing = 0.0;          ///< m
   double step_along_x = 0.0;     ///< m, of the cells: the spacing unless they are stretched
   double cell = 0.0;             ///< m, m² or m³ for each particle
@@ -44,8 +46,9 @@ std::map<std::string, double> read_densities(Section& root);
 /// Reads all [body.NAME] in the order of the scene, and the scene's `spacing`. Throws InputError.
 std::vector<BodyPlan> read_bodies(Section& root, const Scene& scene, const std::map<std::string, double>& densities);
 
-/// Fills a body of a scene; only the side of the symmetry planes that is kept. Throws InputError where that would give
-/// more than `most_particles`, where no particle falls inside, or where the body is thinner than a spacing.
+/// Fills a body of a scene, all ranks together; only the side of the symmetry planes that is kept. Throws InputError
+/// where that would give more than `most_particles`, where no particle falls inside, or where the body is thinner than
+/// a spacing.
 FilledBody fill_body(BodyPlan plan, const Scene& scene, double most_particles);
 
 }  // namespace tektite::preprocess

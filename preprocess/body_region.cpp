@@ -6,7 +6,9 @@
 #include <array>
 
 #include "core/plain_name.hpp"
+#include "preprocess/dealing.hpp"
 #include "preprocess/geometry/registry.hpp"
+#include "preprocess/point_of.hpp"
 #include "preprocess/symmetry.hpp"
 
 namespace tektite::preprocess {
@@ -36,13 +38,6 @@ BodyRegion read_region(const std::string& name, Section& section, Space space) {
   if (region.velocity && region.clamped.value_or(false))
     throw section.fault("velocity", "a clamped particle does not move", "velocity or clamped = true");
   return region;
-}
-
-Point position_of(const Particles& particles, std::size_t particle) {
-  const auto d = static_cast<std::size_t>(particles.dimensions());
-  Point x{};
-  for (std::size_t k = 0; k < d; ++k) x[static_cast<int>(k)] = particles.reals(Field::position)[particle * d + k];
-  return x;
 }
 
 void set_velocity(const Point& velocity, std::size_t particle, Particles& particles) {
@@ -99,11 +94,12 @@ std::vector<RegionReport> lay_regions(std::span<const BodyRegion> regions, std::
     std::size_t count = 0;
 #pragma omp parallel for schedule(dynamic, 1024) reduction(+ : count)
     for (auto i = range.begin; i < range.end; ++i) {
-      const auto x = position_of(particles, i);
+      const auto x = point_of(particles, i);
       if (!region.shape->inside(x, tolerance)) continue;
       lay(region, planes, i, x, particles);
       ++count;
     }
+    count = on_all_ranks(count);
     if (count == 0) throw region.section.fault("shape", "no particle of the body lies in this region");
     reports.push_back({region.name, count, in_words(region)});
   }

@@ -41,8 +41,8 @@ struct RegionReport {
 };
 
 /// Lays the regions of a body over density, energy, velocity, kernel_type and clamped of its particles in `range`,
-/// whose positions stand already; a particle within `tolerance` (m) of a region's edge is inside. Throws InputError for
-/// a region that holds no particle.
+/// whose positions stand already; a particle within `tolerance` (m) of a region's edge is inside. Counted are those of
+/// all ranks. Throws InputError for a region that holds no particle.
 std::vector<RegionReport> lay_regions(std::span<const BodyRegion> regions, std::span<const SymmetryPlane> planes,
                                       double tolerance, Range range, Particles& particles);
 

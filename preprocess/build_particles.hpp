@@ -25,14 +25,18 @@ struct BodyReport {
 };
 
 struct Result {
-  Snapshot snapshot;
+  Snapshot snapshot;               ///< with a share of each body's particles on each of several ranks
+  std::vector<Body> whole;         ///< the bodies with the particles of all ranks
+  std::vector<std::size_t> first;  ///< the number of each one's first particle here among all
   std::vector<BodyReport> bodies;
+
+  std::size_t count() const { return whole.back().range.end; }  ///< of all ranks
 };
 
 inline constexpr double default_most_particles = 2e8;
 
 /// Reads what the preprocessor owns of the scene, fills all bodies and checks that they do not overlap. Afterwards the
-/// document is the effective scene. Throws InputError.
+/// document is the effective scene. Throws InputError, on all ranks the same.
 Result build_particles(Document& document, double most_particles = default_most_particles);
 
 /// The report as lines of text.

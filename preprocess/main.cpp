@@ -6,7 +6,9 @@
 
 #include "core/error.hpp"
 #include "core/program.hpp"
+#include "parallel/agreed.hpp"
 #include "preprocess/build_particles.hpp"
+#include "preprocess/particle_file.hpp"
 
 namespace {
 
@@ -31,6 +33,11 @@ CommandLine command_line() {
   return line;
 }
 
+/// Of several ranks the first one speaks.
+void tell(const std::string& words) {
+  if (rank() == 0) std::cout << words;
+}
+
 int run(int argc, const char* const* argv) {
   auto line = command_line();
   po::variables_map values;
@@ -46,18 +53,36 @@ int run(int argc, const char* const* argv) {
   const double most_particles = values["most-particles"].as<double>();
   if (!(most_particles >= 1.0)) throw InputError("--most-particles must be at least 1");
 
-  auto document = Document::load(values["scene"].as<std::string>(), values["variant"].as<std::string>(),
-                                 values["set"].as<std::vector<std::string>>());
+  auto document = agreed([&] {
+    return Document::load(values["scene"].as<std::string>(), values["variant"].as<std::string>(),
+                          values["set"].as<std::vector<std::string>>());
+  });
   const auto result = preprocess::build_particles(document, most_particles);
-  std::cout << preprocess::in_words(result);
+  tell(preprocess::in_words(result));
   if (check) return exit_done;
-  write_snapshot(result.snapshot, values["output"].as<std::string>());
-  std::cout << "written to " << values["output"].as<std::string>() << '\n';
+  preprocess::write_particle_file(result, values["output"].as<std::string>());
+  tell("written to " + values["output"].as<std::string>() + '\n');
   return exit_done;
+}
+
+/// A rank beside the first one comes to the same faults, and leaves it to the first one to tell them and to end all;
+/// where that does not, this one does.
+int run_beside(int argc, const char* const* argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception&) {
+    wait_to_be_ended();
+    throw;
+  }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run_program("tektite-preprocess", [&] { return run(argc, argv); });
+  const int code = run_program("tektite-preprocess", [&] {
+    begin_ranks();
+    return rank() > 0 ? run_beside(argc, argv) : run(argc, argv);
+  });
+  leave_ranks(code);
+  return code;
 }

@@ -7,6 +7,9 @@
 #include <cmath>
 #include <utility>
 
+#include "parallel/agreed.hpp"
+#include "preprocess/dealing.hpp"
+
 namespace tektite::preprocess {
 namespace {
 
@@ -52,10 +55,12 @@ class Grid {
  public:
   Grid(const std::vector<Point>& points, double size) : size_(size) {
     for (const auto& p : points) sorted_.emplace_back(cell_of(p), p);
-    std::sort(sorted_.begin(), sorted_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    const auto key = [](const auto& entry) { return std::pair(entry.first, as_cell_order(entry.second)); };
+    std::sort(sorted_.begin(), sorted_.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
   }
 
-  /// The nearest point that is nearer than the size; null where there is none.
+  /// The nearest point that is nearer than the size; null where there is none. Of several as near the same one,
+  /// whatever other points there are.
   const Point* nearest(const Point& p) const {
     const auto centre = cell_of(p);
     const Point* found = nullptr;
@@ -76,6 +81,7 @@ class Grid {
   }
 
  private:
+  static std::array<double, 3> as_cell_order(const Point& p) { return {p[2], p[1], p[0]}; }
   Cell cell_of(const Point& p) const {
     return {std::llround(std::floor(p[2] / size_)), std::llround(std::floor(p[1] / size_)),
             std::llround(std::floor(p[0] / size_))};
@@ -142,11 +148,21 @@ void check_overlaps(std::span<const FilledBody> bodies) {
       const double margin = a.spacing + b.spacing;  // twice as far as cells in touch have their middles
       const auto near_b = near_box(a, b.plan.shape->bounds(), margin);
       const auto near_a = near_box(b, a.plan.shape->bounds(), margin);
-      check_inside(a, b, near_b);
-      check_inside(b, a, near_a);
-      const auto pairs = neighbours(near_b, near_a, margin);
-      check_distance(a, b, pairs);
-      check_between(a, b, pairs);
+      agreed([&] {
+        check_inside(a, b, near_b);
+        return true;
+      });
+      agreed([&] {
+        check_inside(b, a, near_a);
+        return true;
+      });
+      const auto near_own_b = points_about(near_b, margin, near_a);
+      agreed([&] {
+        const auto pairs = neighbours(near_b, near_own_b, margin);
+        check_distance(a, b, pairs);
+        check_between(a, b, pairs);
+        return true;
+      });
     }
 }
 

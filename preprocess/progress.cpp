@@ -5,10 +5,12 @@
 
 #include <utility>
 
+#include "parallel/ranks.hpp"
+
 namespace tektite::preprocess {
 
 Progress::Progress(std::string what, std::size_t total)
-    : what_(std::move(what)), total_(total), shown_(isatty(STDERR_FILENO) != 0) {}
+    : what_(std::move(what)), total_(total), shown_(rank() == 0 && isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {
   if (shown_) fmt::print(stderr, "\r\033[K");

@@ -1,5 +1,6 @@
 #pragma once
-// A line of progress on standard error, where that is a terminal; nothing otherwise.
+// A line of progress on standard error, where that is a terminal; nothing otherwise. Of several ranks the
+// first tells its own.
 
 #include <atomic>
 #include <cstddef>

@@ -22,8 +22,8 @@ const char* mass_unit(Space space) {
 }  // namespace
 
 std::string in_words(const Result& result) {
-  const auto& particles = result.snapshot.particles;
-  const auto* unit = mass_unit(particles.space());
+  const auto space = result.snapshot.particles.space();
+  const auto* unit = mass_unit(space);
   std::string text;
   for (const auto& body : result.bodies) {
     text += fmt::format("body {} ({}): {} at a spacing of {:g} m\n", body.name, body.material,
@@ -42,7 +42,7 @@ std::string in_words(const Result& result) {
     for (const auto& remark : body.remarks) text += fmt::format("  repaired: {}\n", remark);
     for (const auto& warning : body.warnings) text += fmt::format("  warning: {}\n", warning);
   }
-  return text + fmt::format("{} in all, {}\n", counted(particles.count(), "particle"), name_of(particles.space()));
+  return text + fmt::format("{} in all, {}\n", counted(result.count(), "particle"), name_of(space));
 }
 
 }  // namespace tektite::preprocess

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "parallel/ranks.hpp"
 #include "preprocess/arrangement/arrangement.hpp"
 
 namespace tektite::preprocess {
@@ -26,6 +27,25 @@ Box kept_box(Box box, const SymmetryPlane& plane) {
   else
     box.upper[plane.axis] = std::min(box.upper[plane.axis], plane.at);
   return box;
+}
+
+/// Of particles, on all ranks: whether any lies on a plane, and how far (m) from it the nearest of the others is.
+struct AboutPlane {
+  bool some_on_plane = false;
+  double nearest = std::numeric_limits<double>::infinity();
+};
+
+AboutPlane about_plane(const std::vector<Point>& positions, const SymmetryPlane& plane) {
+  AboutPlane about;
+  for (const auto& p : positions)
+    if (on_plane(p, plane))
+      about.some_on_plane = true;
+    else
+      about.nearest = std::min(about.nearest, std::abs(p[plane.axis] - plane.at));
+  return of_all_ranks(about, [](AboutPlane& whole, const AboutPlane& part) {
+    whole.some_on_plane = whole.some_on_plane || part.some_on_plane;
+    whole.nearest = std::min(whole.nearest, part.nearest);
+  });
 }
 
 Region rectangle(const Box& box) {
@@ -64,13 +84,7 @@ std::vector<std::string> misaligned(const std::vector<Point>& positions, const B
   for (const auto& plane : planes) {
     const double tolerance = edge_tolerance * spacing;
     if (plane.at < box.lower[plane.axis] - tolerance || plane.at > box.upper[plane.axis] + tolerance) continue;
-    bool some_on_plane = false;
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const auto& p : positions)
-      if (on_plane(p, plane))
-        some_on_plane = true;
-      else
-        nearest = std::min(nearest, std::abs(p[plane.axis] - plane.at));
+    const auto [some_on_plane, nearest] = about_plane(positions, plane);
     const bool too_near = nearest < least_distance * spacing;
     const bool too_far = !some_on_plane && nearest > most_distance * spacing;
     if (too_near || too_far)

@@ -14,8 +14,9 @@ namespace tektite::preprocess {
 /// Removes the particles beyond any plane. Those within `tolerance` (m) of a plane are put exactly on it.
 void keep_side(std::vector<Point>& positions, std::span<const SymmetryPlane> planes, double tolerance);
 
-/// Says of each plane that meets the box of a body's shape where the nearest particles off it lie neither about half a
-/// spacing from it nor behind others that lie on it: they press on their own images, or leave a gap before them.
+/// Says of each plane that meets the box of a body's shape where the nearest particles of all ranks off it lie neither
+/// about half a spacing from it nor behind others that lie on it: they press on their own images, or leave a gap before
+/// them.
 std::vector<std::string> misaligned(const std::vector<Point>& positions, const Box& box, double spacing,
                                     std::span<const SymmetryPlane> planes);
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/document.hpp"
+#include "preprocess/arrangement/share.hpp"
 #include "preprocess/geometry/shape.hpp"
 
 namespace tektite::preprocess {
@@ -34,12 +35,14 @@ class Arrangement {
  public:
   virtual ~Arrangement() = default;
 
-  /// Fills the shape. The order of the particles does not depend on the number of threads. Throws InputError where the
-  /// arrangement does not suit the shape.
-  virtual Filling fill(const Shape& shape, double spacing) const = 0;
+  /// Fills a share of the shape; the particles of all shares, one behind the other, are those of the whole. Their order
+  /// does not depend on the number of threads. Throws InputError where the arrangement does not suit the shape.
+  virtual Filling fill(const Shape& shape, double spacing, const Share& share) const = 0;
 
   /// Number of particles that fill() would give, without their memory where that can be had.
-  virtual std::size_t count(const Shape& shape, double spacing) const { return fill(shape, spacing).positions.size(); }
+  virtual std::size_t count(const Shape& shape, double spacing) const {
+    return fill(shape, spacing, {}).positions.size();
+  }
 
   /// The cell in units of δ^dimensions: 1 but for arrangements that are denser than a lattice.
   virtual double cell_factor() const { return 1.0; }

@@ -18,8 +18,8 @@ class ClosePacked final : public Arrangement {
  public:
   ClosePacked(int period, std::optional<Point> origin) : period_(period), origin_(origin) {}
 
-  Filling fill(const Shape& shape, double spacing) const override {
-    return {fill_rows(shape, rows(shape, spacing), edge_tolerance * spacing),
+  Filling fill(const Shape& shape, double spacing, const Share& share) const override {
+    return {fill_rows(shape, rows(shape, spacing), edge_tolerance * spacing, share),
             cell_factor() * spacing * spacing * spacing};
   }
   std::size_t count(const Shape& shape, double spacing) const override {

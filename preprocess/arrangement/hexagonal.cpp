@@ -14,8 +14,8 @@ class Hexagonal final : public Arrangement {
  public:
   explicit Hexagonal(std::optional<Point> origin) : origin_(origin) {}
 
-  Filling fill(const Shape& shape, double spacing) const override {
-    return {fill_rows(shape, rows(shape, spacing), edge_tolerance * spacing), cell_factor() * spacing * spacing};
+  Filling fill(const Shape& shape, double spacing, const Share& share) const override {
+    return {fill_rows(shape, rows(shape, spacing), edge_tolerance * spacing, share), cell_factor() * spacing * spacing};
   }
   std::size_t count(const Shape& shape, double spacing) const override {
     return count_rows(shape, rows(shape, spacing), edge_tolerance * spacing);

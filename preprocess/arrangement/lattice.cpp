@@ -29,10 +29,10 @@ class Lattice final : public Arrangement {
  public:
   Lattice(Convention convention, std::optional<Point> origin) : convention_(convention), origin_(origin) {}
 
-  Filling fill(const Shape& shape, double spacing) const override {
+  Filling fill(const Shape& shape, double spacing, const Share& share) const override {
     const auto axes = lay_out(shape, spacing);
     Filling filling;
-    filling.positions = fill_rows(shape, rows(axes), edge_tolerance * spacing);
+    filling.positions = fill_rows(shape, rows(axes), edge_tolerance * spacing, share);
     filling.cell = 1.0;
     for (int k = 0; k < shape.dimensions(); ++k) filling.cell *= axes[k].step;
     filling.step_along_x = axes[0].step;

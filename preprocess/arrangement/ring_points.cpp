@@ -27,9 +27,11 @@ double read_start_angle(Section& section) {
   return section.quantity("start_angle", dimension::none, {-turn, turn}, 0.0);
 }
 
-void append_ring(std::vector<Point>& positions, const Point& centre, double radius, std::size_t count,
-                 double start_angle) {
-  for (std::size_t k = 0; k < count; ++k) {
+void append_ring(std::vector<Point>& positions, const RingOfPoints& ring, std::size_t from, std::size_t to) {
+  const auto& centre = ring.centre;
+  const double radius = ring.radius, start_angle = ring.start_angle;
+  const auto count = ring.count;
+  for (std::size_t k = from; k < to; ++k) {
     const double angle = start_angle + 2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(count);
     positions.push_back({centre[0] + radius * std::cos(angle), centre[1] + radius * std::sin(angle), 0.0});
   }

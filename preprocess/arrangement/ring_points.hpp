@@ -20,9 +20,16 @@ std::size_t ring_count(double radius_in_spacings, Rounding rounding);
 /// Reads start_angle, the direction from the centre, counted from x, in which each ring has its first particle.
 double read_start_angle(Section& section);
 
-/// Appends the ring's particles, beginning at `start_angle` in radians.
-void append_ring(std::vector<Point>& positions, const Point& centre, double radius, std::size_t count,
-                 double start_angle);
+/// A ring of particles, the first of them at `start_angle` in radians.
+struct RingOfPoints {
+  Point centre{};
+  double radius = 0.0;
+  std::size_t count = 0;
+  double start_angle = 0.0;
+};
+
+/// Appends those from ≤ k < to.
+void append_ring(std::vector<Point>& positions, const RingOfPoints& ring, std::size_t from, std::size_t to);
 
 /// The round body that rings need. Throws InputError where the shape is none.
 Round expect_round(const Shape& shape, const char* arrangement, const char* allowed);

@@ -16,11 +16,15 @@ class Rings final : public Arrangement {
   Rings(Rounding rounding, bool edges_included, double start_angle)
       : rounding_(rounding), edges_included_(edges_included), start_angle_(start_angle) {}
 
-  Filling fill(const Shape& shape, double spacing) const override {
+  Filling fill(const Shape& shape, double spacing, const Share& share) const override {
     const auto round = expect_round(shape, "rings", "disc, ring");
     Filling filling;
-    for (const double radius : radii(round, spacing, edges_included_))
-      append_ring(filling.positions, round.centre, radius, ring_count(radius / spacing, rounding_), start_angle_);
+    const auto rings = radii(round, spacing, edges_included_);
+    std::vector<std::size_t> counts;
+    for (const double radius : rings) counts.push_back(ring_count(radius / spacing, rounding_));
+    for_share(share, counts, [&](std::size_t ring, std::size_t from, std::size_t to) {
+      append_ring(filling.positions, {round.centre, rings[ring], counts[ring], start_angle_}, from, to);
+    });
     filling.cell = spacing * spacing;
     return filling;
   }

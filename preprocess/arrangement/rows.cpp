@@ -26,16 +26,16 @@ std::vector<Stretch> stretches(std::span<const std::uint8_t> inside) {
   return result;
 }
 
-/// Calls work(row index, marks of its places) for every row, on all threads; the first exception is passed on.
+/// Calls work(row index, marks of its places) for these rows, on all threads; the first exception is passed on.
 template <class Work>
-void for_each_row(const Shape& shape, const Rows& rows, double tolerance, const Work& work) {
+void for_each_row(const Shape& shape, const Rows& rows, const Range& range, double tolerance, const Work& work) {
   std::exception_ptr failure;
-  Progress progress("filling", rows.count);
+  Progress progress("filling", range.size());
 #pragma omp parallel
   {
     std::vector<std::uint8_t> inside;
 #pragma omp for schedule(dynamic, 16)
-    for (std::size_t k = 0; k < rows.count; ++k) {
+    for (std::size_t k = range.begin; k < range.end; ++k) {
       try {
         const auto row = rows.row(k);
         inside.resize(row.count);
@@ -67,19 +67,21 @@ void check_places(const Rows& rows) {
 
 }  // namespace
 
-std::vector<Point> fill_rows(const Shape& shape, const Rows& rows, double tolerance) {
+std::vector<Point> fill_rows(const Shape& shape, const Rows& rows, double tolerance, const Share& share) {
   check_places(rows);
-  std::vector<std::vector<Stretch>> kept(rows.count);
-  std::vector<std::size_t> first(rows.count + 1, 0);
-  for_each_row(shape, rows, tolerance, [&](std::size_t k, std::span<const std::uint8_t> inside) {
+  const auto range = share.of(rows.count);
+  std::vector<std::vector<Stretch>> kept(range.size());
+  std::vector<std::size_t> first(range.size() + 1, 0);
+  for_each_row(shape, rows, range, tolerance, [&](std::size_t row, std::span<const std::uint8_t> inside) {
+    const auto k = row - range.begin;
     kept[k] = stretches(inside);
     for (const auto& stretch : kept[k]) first[k + 1] += stretch.count;
   });
   std::partial_sum(first.begin(), first.end(), first.begin());
   std::vector<Point> positions(first.back());
 #pragma omp parallel for schedule(static)
-  for (std::size_t k = 0; k < rows.count; ++k) {
-    const auto row = rows.row(k);
+  for (std::size_t k = 0; k < range.size(); ++k) {
+    const auto row = rows.row(range.begin + k);
     auto next = first[k];
     for (const auto& stretch : kept[k])
       for (std::size_t i = 0; i < stretch.count; ++i) positions[next++] = row.at(stretch.first + i);
@@ -90,7 +92,7 @@ std::vector<Point> fill_rows(const Shape& shape, const Rows& rows, double tolera
 std::size_t count_rows(const Shape& shape, const Rows& rows, double tolerance) {
   check_places(rows);
   std::vector<std::size_t> counts(rows.count, 0);
-  for_each_row(shape, rows, tolerance, [&](std::size_t k, std::span<const std::uint8_t> inside) {
+  for_each_row(shape, rows, {0, rows.count}, tolerance, [&](std::size_t k, std::span<const std::uint8_t> inside) {
     counts[k] = static_cast<std::size_t>(std::accumulate(inside.begin(), inside.end(), std::size_t{0}));
   });
   return std::accumulate(counts.begin(), counts.end(), std::size_t{0});

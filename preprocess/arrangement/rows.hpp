@@ -13,11 +13,11 @@ struct Rows {
   std::function<Row(std::size_t)> row;
 };
 
-/// The places on the rows that lie inside the shape, row after row. Needs the places' own memory and a few bytes for
-/// every stretch of neighbours in a row. Shows progress where standard error is a terminal.
-std::vector<Point> fill_rows(const Shape& shape, const Rows& rows, double tolerance);
+/// The places on a share of the rows that lie inside the shape, row after row. Needs the places' own memory and a few
+/// bytes for every stretch of neighbours in a row. Shows progress where standard error is a terminal.
+std::vector<Point> fill_rows(const Shape& shape, const Rows& rows, double tolerance, const Share& share);
 
-/// How many places fill_rows() would give.
+/// How many places all rows have.
 std::size_t count_rows(const Shape& shape, const Rows& rows, double tolerance);
 
 }  // namespace tektite::preprocess

@@ -19,9 +19,11 @@ std::size_t shell_count(double radius_in_spacings) {
   return static_cast<std::size_t>(std::max(nearest_whole(4.0 * pi * radius_in_spacings * radius_in_spacings), 1LL));
 }
 
-void append_shell(std::vector<Point>& positions, const Point& centre, double radius, std::size_t count) {
+/// Of a shell of `count` particles those from ≤ k < to.
+void append_shell(std::vector<Point>& positions, const Point& centre, double radius, std::size_t count,
+                  std::size_t from, std::size_t to) {
   const double golden_angle = pi * (3.0 - std::sqrt(5.0));
-  for (std::size_t k = 0; k < count; ++k) {
+  for (std::size_t k = from; k < to; ++k) {
     const double z = 1.0 - static_cast<double>(2 * k + 1) / static_cast<double>(count);
     const double r = std::sqrt((1.0 - z) * (1.0 + z)), angle = golden_angle * static_cast<double>(k);
     positions.push_back(centre + radius * Point{{r * std::cos(angle), r * std::sin(angle), z}});
@@ -32,11 +34,15 @@ class Shells final : public Arrangement {
  public:
   explicit Shells(bool edges_included) : edges_included_(edges_included) {}
 
-  Filling fill(const Shape& shape, double spacing) const override {
+  Filling fill(const Shape& shape, double spacing, const Share& share) const override {
     const auto round = expect_round(shape, "shells", "sphere");
     Filling filling;
-    for (const double radius : radii(round, spacing, edges_included_))
-      append_shell(filling.positions, round.centre, radius, shell_count(radius / spacing));
+    const auto shells = radii(round, spacing, edges_included_);
+    std::vector<std::size_t> counts;
+    for (const double radius : shells) counts.push_back(shell_count(radius / spacing));
+    for_share(share, counts, [&](std::size_t shell, std::size_t from, std::size_t to) {
+      append_shell(filling.positions, round.centre, shells[shell], counts[shell], from, to);
+    });
     filling.cell = spacing * spacing * spacing;
     return filling;
   }

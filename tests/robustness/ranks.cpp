@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "core/snapshot.hpp"
+#include "robustness/on_ranks.hpp"
 #include "robustness/small_run.hpp"
 
 namespace {
@@ -16,14 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 using namespace tektite::test;
 using Catch::Matchers::Contains;
-
-/// Started as so many processes; on one machine, however many processors it has, which who waits leaves to others. The
-/// launcher does not look for graphics cards at X servers, which are those of other tests and go away.
-std::vector<std::string> on_ranks(int ranks, std::vector<std::string> words) {
-  words.insert(words.begin(), {"/usr/bin/env", "HWLOC_COMPONENTS=-gl", "OMPI_MCA_mpi_yield_when_idle=1", MPI_LAUNCHER,
-                               "--oversubscribe", "--allow-run-as-root", "-n", std::to_string(ranks)});
-  return words;
-}
 
 /// What a run on so many ranks leaves, beside that of one process.
 void check_ranks(const SmallRun& small, const Left& whole, int ranks) {
@@ -199,13 +192,6 @@ TEST_CASE("Ranks: one that dies ends the run, and other numbers of ranks go on f
     small.measure(run);
     CHECK((left_in(small.folder(run)) == whole));
   }
-}
-
-/// How often a text stands in another one.
-int count_of(const std::string& text, const std::string& within) {
-  int count = 0;
-  for (auto at = within.find(text); at != std::string::npos; at = within.find(text, at + 1)) ++count;
-  return count;
 }
 
 TEST_CASE("Ranks: what is wrong is told once, whichever of them finds it") {

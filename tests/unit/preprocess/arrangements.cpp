@@ -67,17 +67,66 @@ TEST_CASE("Lattice: with both edges included, the published counts come out") {
 TEST_CASE("Lattice: with both edges included, the spacing is stretched to reach them and the cell with it") {
   const auto shape = shape_of("{ type = 'rectangle', lower = [0, 0], upper = [1.04, 0.5] }", 2);
   const auto filling =
-      arrangement_of("{ type = 'lattice', convention = 'edges-included' }", 2).arrangement->fill(*shape, 0.1);
+      arrangement_of("{ type = 'lattice', convention = 'edges-included' }", 2).arrangement->fill(*shape, 0.1, {});
   REQUIRE(filling.positions.size() == 11 * 6);
   CHECK(filling.positions.back()[0] == Approx(1.04).epsilon(1e-14));
   CHECK(filling.cell == Approx(0.104 * 0.1).epsilon(1e-14));
+}
+
+namespace {
+
+bool same(const preprocess::Point& a, const preprocess::Point& b) { return std::ranges::equal(a.c, b.c); }
+
+}  // namespace
+
+TEST_CASE("Arrangements: shares, however many, follow each other as the places of the whole, to the last bit") {
+  const std::string disc = "{ type = 'disc', centre = [0.3, 0.1], radius = 0.97 }";
+  const std::string ball = "{ type = 'sphere', centre = [1, 2, 3], radius = 0.77 }";
+  const auto [shape, arrangement, dimensions] = GENERATE_COPY(table<std::string, std::string, int>(
+      {{disc, "{ type = 'lattice' }", 2},
+       {disc, "{ type = 'hexagonal' }", 2},
+       {disc, "{ type = 'rings', radii = 'cell-centred' }", 2},
+       {disc, "{ type = 'lattice-with-rings', start_angle = 0.1 }", 2},
+       {ball, "{ type = 'lattice', convention = 'on-origin' }", 3},
+       {ball, "{ type = 'close-packed', stacking = 'hcp' }", 3},
+       {ball, "{ type = 'shells' }", 3},
+       {"{ type = 'segment', lower = 0.0, upper = 0.7 }", "{ type = 'lattice' }", 1}}));
+  INFO(arrangement);
+  const auto filled = shape_of(shape, dimensions);
+  const auto choice = arrangement_of(arrangement, dimensions);
+  const auto whole = choice.arrangement->fill(*filled, 0.1, {});
+  for (const std::size_t parts : {2, 3, 7, 1000}) {
+    std::vector<preprocess::Point> joined;
+    for (std::size_t part = 0; part < parts; ++part) {
+      const auto filling = choice.arrangement->fill(*filled, 0.1, {part, parts});
+      CHECK(filling.cell == whole.cell);
+      joined.insert(joined.end(), filling.positions.begin(), filling.positions.end());
+    }
+    CHECK(std::ranges::equal(joined, whole.positions, same));
+  }
+}
+
+TEST_CASE("Shares: they follow each other, cover all, and differ by one at most") {
+  for (const std::size_t count : {std::size_t{0}, std::size_t{5}, std::size_t{1000}, std::size_t{1} << 60})
+    for (const std::size_t parts : {1, 2, 3, 7, 10'000}) {
+      std::size_t end = 0, least = count, most = 0;
+      for (std::size_t part = 0; part < parts; ++part) {
+        const auto range = preprocess::Share{part, parts}.of(count);
+        REQUIRE(range.begin == end);
+        end = range.end;
+        least = std::min(least, range.size());
+        most = std::max(most, range.size());
+      }
+      CHECK(end == count);
+      CHECK(most - least <= 1);
+    }
 }
 
 TEST_CASE("Shells: the count is the sum of rounded areas, and every particle lies on its shell") {
   std::size_t expected = 1;
   for (int k = 1; k <= 8; ++k) expected += static_cast<std::size_t>(std::llround(4.0 * M_PI * k * k));
   const auto shape = shape_of("{ type = 'sphere', centre = [1, 2, 3], radius = 0.8 }", 3);
-  const auto filling = arrangement_of("{ type = 'shells' }", 3).arrangement->fill(*shape, 0.1);
+  const auto filling = arrangement_of("{ type = 'shells' }", 3).arrangement->fill(*shape, 0.1, {});
   CHECK(filling.positions.size() == expected);
   for (const auto& p : filling.positions) {
     const double shell = norm(p - preprocess::Point{{1, 2, 3}}) / 0.1;
@@ -108,7 +157,7 @@ std::size_t index_at(const std::vector<preprocess::Point>& positions, const prep
 
 TEST_CASE("Hexagonal and close-packed: six and twelve neighbours at one spacing, and the density of their cells") {
   const auto plane = shape_of("{ type = 'disc', centre = [0.3, 0.2], radius = 1.0 }", 2);
-  const auto hexagonal = arrangement_of("{ type = 'hexagonal' }", 2).arrangement->fill(*plane, 0.05);
+  const auto hexagonal = arrangement_of("{ type = 'hexagonal' }", 2).arrangement->fill(*plane, 0.05, {});
   const auto centre = index_at(hexagonal.positions, {{0.3, 0.2, 0}});
   const auto [distance, neighbours] = nearest_and_its_count(hexagonal.positions, centre);
   CHECK(distance == Approx(0.05).epsilon(1e-12));
@@ -118,8 +167,8 @@ TEST_CASE("Hexagonal and close-packed: six and twelve neighbours at one spacing,
 
   const auto solid = shape_of("{ type = 'sphere', centre = [0, 0, 1], radius = 1.0 }", 3);
   for (const std::string stacking : {"fcc", "hcp"}) {
-    const auto packed =
-        arrangement_of("{ type = 'close-packed', stacking = '" + stacking + "' }", 3).arrangement->fill(*solid, 0.1);
+    const auto packed = arrangement_of("{ type = 'close-packed', stacking = '" + stacking + "' }", 3)
+                            .arrangement->fill(*solid, 0.1, {});
     const auto middle = index_at(packed.positions, {{0, 0, 1}});
     const auto [gap, twelve] = nearest_and_its_count(packed.positions, middle);
     CHECK(gap == Approx(0.1).epsilon(1e-12));

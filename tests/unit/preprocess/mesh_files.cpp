@@ -117,9 +117,9 @@ TEST_CASE("Mesh: every kind of file gives the same cube, filled to the last part
   INFO(name);
   const auto shape = test.shape(name, ", unit = 'mm', scale = 2");
   CHECK(shape->measure() == Approx(8e-9).epsilon(1e-12));
-  CHECK(arrangement_of("{}", 3).arrangement->fill(*shape, 0.2e-3).positions.size() == 1000);
+  CHECK(arrangement_of("{}", 3).arrangement->fill(*shape, 0.2e-3, {}).positions.size() == 1000);
   // With particles on every edge and corner, all of which belong to the closed set.
-  CHECK(arrangement_of("{ convention = 'edges-included' }", 3).arrangement->fill(*shape, 0.2e-3).positions.size() ==
+  CHECK(arrangement_of("{ convention = 'edges-included' }", 3).arrangement->fill(*shape, 0.2e-3, {}).positions.size() ==
         1331);
 }
 

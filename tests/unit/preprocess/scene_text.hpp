@@ -24,7 +24,7 @@ inline preprocess::ArrangementChoice arrangement_of(const std::string& table, in
 inline std::size_t count_of(const std::string& shape, const std::string& arrangement, int dimensions, double spacing) {
   const auto filled = shape_of(shape, dimensions);
   const auto choice = arrangement_of(arrangement, dimensions);
-  const auto count = choice.arrangement->fill(*filled, spacing).positions.size();
+  const auto count = choice.arrangement->fill(*filled, spacing, {}).positions.size();
   return choice.arrangement->count(*filled, spacing) == count ? count : 0;
 }
 
