@@ -26,10 +26,10 @@ std::vector<std::string> snapshots_of(const Picture& picture, const Drawing& dra
 }
 
 /// HDF5 is one thread's at a time.
-Snapshot read_alone(const std::string& file) {
+Snapshot read_alone(const std::string& file, const Picture& picture) {
   static std::mutex reading;
   const std::scoped_lock lock(reading);
-  return read_snapshot(file);
+  return read_fields(file, fields_shown(picture));
 }
 
 /// Draws one picture, which is several files where it shows several times; tells each path.
@@ -51,7 +51,7 @@ void draw_one(const Picture& picture, const Drawing& drawing, std::vector<std::s
     if (is_last)
       draw(picture, drawing.event.last_snapshot, drawing, path);
     else
-      draw(picture, read_alone(file), drawing, path);
+      draw(picture, read_alone(file, picture), drawing, path);
     told.push_back("picture: " + path);
   }
 }

@@ -37,7 +37,7 @@ Words joined(std::vector<Words> all) {
   Words words;
   for (auto& one : all) {
     words.insert(words.end(), one.begin(), one.end());
-    one = {};
+    one = Words();  // {} would keep its memory
   }
   return words;
 }

@@ -104,7 +104,7 @@ Particles PackedLayout::joined(const Particles& particles, std::span<const std::
   std::ranges::sort(order, {}, [&](std::uint32_t n) { return keys[n]; });
   std::vector<std::size_t> sizes(particles.bodies().size(), 0);
   for (const auto& key : keys) ++sizes[std::get<0>(key)];
-  keys = {};
+  keys = std::vector<OrderKey>();  // {} would keep its memory
 
   Particles all(particles.space(), bodies_of_sizes(particles.bodies(), sizes));
   for (const auto& column : columns_) {

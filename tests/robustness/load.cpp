@@ -1,14 +1,19 @@
-// Ten million particles in space take the memory that tektite check forecasts.
+// Many particles: ten million in space take the memory that tektite check forecasts, and postprocess takes less of it
+// than a snapshot of theirs has bytes.
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <regex>
 #include <string>
 
+#include "core/snapshot.hpp"
 #include "robustness/small_run.hpp"
 
 namespace {
 
+using namespace tektite;
 using namespace tektite::test;
 
 /// Two blocks of 108 x 216 x 216 particles meet, a hundred steps long.
@@ -66,6 +71,39 @@ TEST_CASE("Load: a hundred steps of ten million particles in the memory that was
   CHECK(steps >= 100);
   CHECK(came < 1.1 * forecast);  // the forecast's own limit
   CHECK(came > 0.9 * forecast);
+}
+
+/// A square lattice of 1024 particles along a side, with every field that a file may have.
+Snapshot plate_with_every_field() {
+  constexpr std::size_t along = 1024, count = along * along;
+  constexpr double spacing = 1e-3;
+  Snapshot snapshot{Particles(Space::plane_strain, {{"plate", "aluminium", spacing, {0, count}}}),
+                    {{"time", 1e-6}},
+                    "name = 'plate'\nspace = 'plane-strain'\n[body.plate]\n[measure.max_pressure]\nbody = 'plate'\n"};
+  auto& particles = snapshot.particles;
+  for (const auto field : saved_fields()) {
+    particles.allocate(field);
+    if (info(field).rank != Rank::integer) std::ranges::fill(particles.reals(field), 1.4 * spacing);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    particles.integers(Field::id)[i] = static_cast<std::int64_t>(i);
+    particles.vectors<2>(Field::position)[i] = {spacing * static_cast<double>(i % along),
+                                                spacing * static_cast<double>(i / along)};
+  }
+  return snapshot;
+}
+
+TEST_CASE("Load: postprocess takes less memory than one snapshot of many particles has bytes") {
+  const TemporaryFolder folder;
+  write_snapshot(plate_with_every_field(), folder.file("snapshots/000001.h5"));
+  const auto kilobytes = std::filesystem::file_size(folder.file("snapshots/000001.h5")) / 1024;
+  const auto outcome = run_in(folder.path(), {"/bin/sh", "-c",
+                                              "ulimit -d " + std::to_string(kilobytes) + "; exec " +
+                                                  stage_program("postprocess") + " . --no-pictures"});
+  INFO(outcome.output << outcome.faults);
+  CHECK(outcome.code == 0);
+  CHECK_THAT(outcome.output, Catch::Contains("max_pressure"));
+  CHECK(std::filesystem::exists(folder.file("vtu/000001/0001.vtu")));
 }
 
 }  // namespace
