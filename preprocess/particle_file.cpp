@@ -8,12 +8,13 @@
 #include <filesystem>
 #include <span>
 
-#include "core/crc32.hpp"
 #include "core/hdf5.hpp"
+#include "core/rows_of_file.hpp"
 #include "core/seal.hpp"
 #include "core/system_words.hpp"
 #include "core/write_beside.hpp"
 #include "parallel/agreed.hpp"
+#include "parallel/checksum_by_all.hpp"
 #include "preprocess/dealing.hpp"
 
 namespace tektite::preprocess {
@@ -27,12 +28,26 @@ std::vector<const FieldInfo*> fields_of(const Particles& particles) {
   return fields;
 }
 
+/// A file's particles, of which nothing is written yet.
+class NoRows : public RowsOfFile {
+ public:
+  explicit NoRows(const Result& result) : result_(result) {}
+  const std::vector<Body>& bodies() const override { return result_.whole; }
+  hdf5::Rows rows() const override { return {0, 0, result_.count()}; }
+  std::span<const double> reals(Field) override { return {}; }
+  std::span<const std::int64_t> integers(Field) override { return {}; }
+
+ private:
+  const Result& result_;
+};
+
 /// Writes the file without the numbers of its particles. Gives its length and the byte at which those of each field
 /// begin.
 Words lay_out(const Result& result, const std::string& path) {
   {
     hdf5::Writer file(path);
-    write_rows(file, result.snapshot, result.whole, {0, 0, result.count()});
+    NoRows rows(result);
+    write_rows(file, result.snapshot, rows);
   }
   const hdf5::Reader file(path);
   Words offsets{std::filesystem::file_size(path)};
@@ -86,16 +101,6 @@ void write_own_rows(const Result& result, std::span<const Word> offsets, const s
     ++offset;
   }
   file.bring_to_disk();
-}
-
-/// The checksum of a file of this length, of which each rank reads a part.
-std::uint32_t checksum_by_all(const std::string& path, std::size_t length) {
-  const auto part = this_share().of(length);
-  const auto own = agreed([&] { return checksum_of(path, part.begin, part.size()); });
-  Crc32 whole;
-  for (const auto& words : gather_on_all({own, part.size()}))
-    whole.take(static_cast<std::uint32_t>(words[0]), words[1]);
-  return whole.value();
 }
 
 /// What all ranks do, the first one while it writes beside; gives the checksum of the file.

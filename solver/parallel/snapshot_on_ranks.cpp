@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <filesystem>
 #include <numeric>
 
 #include "core/seal.hpp"
 #include "core/write_beside.hpp"
 #include "parallel/agreed.hpp"
+#include "parallel/checksum_by_all.hpp"
 #include "parallel/file_order.hpp"
 #include "parallel/shared_file.hpp"
 
@@ -81,11 +83,16 @@ void write_snapshot_on_ranks(const Snapshot& snapshot, const std::string& path) 
     check_room(beside);
     write_rows(file, snapshot, rows);
   };
-  if (rank() > 0) return write(path + part_ending);
-  write_beside(path, [&](const std::string& beside) {
+  const auto write_and_sum = [&](const std::string& beside) {
     write(beside);
-    seal(beside);
-  });
+    const auto length = from_first_rank({rank() == 0 ? std::filesystem::file_size(beside) : 0}).front();
+    return checksum_by_all(beside, length);
+  };
+  if (rank() > 0) {
+    write_and_sum(path + part_ending);
+    return;
+  }
+  write_beside(path, [&](const std::string& beside) { seal(beside, write_and_sum(beside)); });
 }
 
 }  // namespace tektite
