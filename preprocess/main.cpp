@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "core/program.hpp"
 #include "parallel/agreed.hpp"
+#include "parallel/program_on_ranks.hpp"
 #include "preprocess/build_particles.hpp"
 #include "preprocess/particle_file.hpp"
 
@@ -33,11 +34,6 @@ CommandLine command_line() {
   return line;
 }
 
-/// Of several ranks the first one speaks.
-void tell(const std::string& words) {
-  if (rank() == 0) std::cout << words;
-}
-
 int run(int argc, const char* const* argv) {
   auto line = command_line();
   po::variables_map values;
@@ -58,31 +54,15 @@ int run(int argc, const char* const* argv) {
                           values["set"].as<std::vector<std::string>>());
   });
   const auto result = preprocess::build_particles(document, most_particles);
-  tell(preprocess::in_words(result));
+  std::cout << preprocess::in_words(result);
   if (check) return exit_done;
   preprocess::write_particle_file(result, values["output"].as<std::string>());
-  tell("written to " + values["output"].as<std::string>() + '\n');
+  std::cout << "written to " << values["output"].as<std::string>() << '\n';
   return exit_done;
-}
-
-/// A rank beside the first one comes to the same faults, and leaves it to the first one to tell them and to end all;
-/// where that does not, this one does.
-int run_beside(int argc, const char* const* argv) {
-  try {
-    return run(argc, argv);
-  } catch (const std::exception&) {
-    wait_to_be_ended();
-    throw;
-  }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int code = run_program("tektite-preprocess", [&] {
-    begin_ranks();
-    return rank() > 0 ? run_beside(argc, argv) : run(argc, argv);
-  });
-  leave_ranks(code);
-  return code;
+  return run_program_on_ranks("tektite-preprocess", [&] { return run(argc, argv); });
 }

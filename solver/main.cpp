@@ -1,9 +1,8 @@
 // tektite-solve: from particles to a computed impact.
 
-#include <cstdio>
-
 #include "core/error.hpp"
 #include "core/program.hpp"
+#include "parallel/program_on_ranks.hpp"
 #include "parallel/ranks.hpp"
 #include "parallel/threads.hpp"
 #include "run/check.hpp"
@@ -72,25 +71,9 @@ int solve(int argc, const char* const* argv) {
   return run(options) ? exit_done : exit_failed;
 }
 
-/// A rank beside the first one is silent. It comes to the same faults, and leaves it to the first one to tell them and
-/// to end all; where that does not, this one does.
-int solve_on_rank(int argc, const char* const* argv) {
-  begin_ranks();
-  if (rank() == 0) return solve(argc, argv);
-  if (!std::freopen("/dev/null", "w", stdout)) throw RunError("/dev/null cannot be opened");
-  try {
-    return solve(argc, argv);
-  } catch (const std::exception&) {
-    wait_to_be_ended();
-    throw;
-  }
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
   wait_briefly(argv);
-  const int code = run_program("tektite-solve", [&] { return solve_on_rank(argc, argv); });
-  leave_ranks(code);
-  return code;
+  return run_program_on_ranks("tektite-solve", [&] { return solve(argc, argv); });
 }
