@@ -46,7 +46,7 @@ struct CorrectionSums {
     const Pack volume = select(is_other(a.i, j), gathered(records, j, &Record::volume), Pack(0.0));
     const Pack weight = volume * pair.value;
     sums.kernel += weight;
-    sums.neighbours += select(pair.value > Pack(0.0), is_other(x), Pack(0.0));
+    sums.neighbours += select(weight > Pack(0.0), is_other(x), Pack(0.0));
     for (int r = 0; r < D; ++r) {
       const Pack slope = volume * pair.slope[r];
       sums.gradient[r] += slope;

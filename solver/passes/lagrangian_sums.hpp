@@ -261,7 +261,7 @@ struct LagrangianForces
     if constexpr (corrected) push = push - lanes.sum(sums.value) * shift[i].stress;
     for (int k = 0; k < D; ++k)
       acceleration[i][k] = over_mass * (push[k] + self.volume * lanes.sum(sums.pull[k])) -
-                           0.5 * over_jacobian * lanes.sum(sums.viscous[k]);
+                           0.5 * over_jacobian * lanes.sum(sums.viscous[k]) + 0.0;  // of failed ones, zero without sign
     viscous_power[i] = 0.25 * over_jacobian * lanes.sum(sums.heat);
     viscous_signal[i] = lanes.largest(sums.signal) + 0.0;  // or zero had the sign of who stands beside in a pack
   }

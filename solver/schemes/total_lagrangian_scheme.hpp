@@ -202,38 +202,57 @@ class TotalLagrangianScheme final : public Scheme {
       if (controlled) hourglass_->turn_into_rings(rings_.circumference_of_each());
     }
     note_kernel_types();
-    if constexpr (rings) rings_.find_offsets(neighbours_.pairs(), mirror_, reference_);
-    if (settings_.corrected) find_corrections();
-    neighbours_.fill(reference_);
+    note_volumes();
     if (eulerian_)
       drop_pairs();
+    else if (settings_.corrected && failed_leave())
+      neighbours_.keep([](std::size_t) { return true; });  // what is left beside failed particles is corrected anew
     else
       neighbours_.drop_lists_of_lattices();
   }
 
+  /// What follows from who has a volume: failed particles without one are in no sum. With corrections and offsets that
+  /// count them, what is missing in the sums beside them would be a strain, and of a piece that turns a large one.
+  void note_volumes() {
+    if constexpr (rings) rings_.find_offsets(neighbours_.pairs(), mirror_, reference_);
+    if (settings_.corrected) find_corrections();
+    neighbours_.fill(reference_);
+  }
+
+  /// Where particles may fail they are those of pieces: with a smaller moment the gradients are several times too
+  /// large, and other ones each time that a neighbour fails.
   void find_corrections() {
     std::vector<CorrectionRecord<D>> records(reference_.size());
     for_each(records.size(), [&](std::size_t i) {
       const auto& r = reference_[i];
       records[i] = {r.x, r.volume, r.smoothing_length, Correction<double, D>::none()};
     });
-    uncorrected_ = MixedCorrection<Kernel, D>(least_moment_of_reference)
-                       .find(neighbours_.pairs(), mirror_, records, particles_.count(), nullptr, Owned(particles_));
+    std::vector<std::uint8_t> counted(particles_.count());
+    for_each(counted.size(),
+             [&](std::size_t i) { counted[i] = reference_[i].lagrangian != 0.0 && reference_[i].volume != 0.0; });
+    const double least_moment = failed_leave() ? least_moment_of_pieces<D> : least_moment_of_reference;
+    uncorrected_ =
+        MixedCorrection<Kernel, D>(least_moment)
+            .find(neighbours_.pairs(), mirror_, records, particles_.count(), counted.data(), Owned(particles_));
     corrections_.resize(particles_.count());
     for_each(particles_.count(), [&](std::size_t i) { corrections_[i] = records[i].correction; });
   }
 
   /// Copies who is Eulerian into the records: an Eulerian particle has its volume, also where it had failed before and
-  /// left the sums.
-  void note_kernel_types() {
+  /// left the sums. Says whether there is such a one.
+  bool note_kernel_types() {
     const auto types = particles_.integers(Field::kernel_type);
     const auto* volume = particles_.scalars(Field::reference_volume);
-    for_each(particles_.count(), [&](std::size_t i) {
+    const auto note = [&](bool& any, std::size_t i) {
       auto& r = reference_[i];
       r.lagrangian = types[i] == static_cast<std::int64_t>(KernelType::total_lagrangian) ? 1.0 : 0.0;
-      if (r.lagrangian == 0.0) r.volume = volume[i];
-    });
+      if (r.lagrangian != 0.0 || r.volume != 0.0) return;
+      r.volume = volume[i];
+      any = true;
+    };
+    const bool any = reduce(particles_.count(), false, note, either);
     mirror_.fill(reference_, particles_.count());
+    return any;
   }
 
   /// Drops the reference neighbours of Eulerian particles that have no total-Lagrangian one among them any more.
@@ -258,8 +277,10 @@ class TotalLagrangianScheme final : public Scheme {
     if (!converter_.convert(particles_, neighbours_.pairs(), mirror_, reference_, deformation_, stress_)) return;
     search_is_left_ = distributed(particles_);
     if (search_is_left_) return;  // it builds all of this anew
-    note_kernel_types();
-    neighbours_.fill(reference_);
+    if (note_kernel_types())
+      note_volumes();
+    else
+      neighbours_.fill(reference_);
     if (contact_) contact_->note_conversion();
     drop_pairs();
     eulerian_->renew();
@@ -334,10 +355,13 @@ class TotalLagrangianScheme final : public Scheme {
     hold_still(p, mirror_, p.template vectors<D>(Field::acceleration));
   }
 
-  /// A failed particle leaves the sums: nobody has it for a neighbour any more (the TLAG run of Young et al. 2021).
-  /// Where failed particles become Eulerian instead, they bear what is left of them there.
+  /// Whether a failed particle leaves the sums, so that nobody has it for a neighbour any more (the TLAG run of Young
+  /// et al. 2021). Where failed particles become Eulerian instead, they bear what is left of them there.
+  bool failed_leave() const {
+    return particles_.has(Field::damage) && settings_.conversion.by != Conversion::By::damage;
+  }
   void leave_failed_out() {
-    if (!particles_.has(Field::damage) || settings_.conversion.by == Conversion::By::damage) return;
+    if (!failed_leave()) return;
     const double* damage = particles_.scalars(Field::damage);
     const auto leave = [&](bool& any, std::size_t i) {
       if (!(damage[i] >= 1.0) || reference_[i].lagrangian == 0.0 || reference_[i].volume == 0.0) return;
@@ -346,7 +370,7 @@ class TotalLagrangianScheme final : public Scheme {
     };
     if (!reduce(particles_.count(), false, leave, either)) return;
     mirror_.fill(reference_, particles_.count());
-    neighbours_.fill(reference_);
+    note_volumes();
   }
 
   using Run = typename MaterialPasses<D, rings>::Run;
