@@ -239,6 +239,7 @@ Advice advise(const Particles& particles, const RunSettings& settings, const std
   const double end = settings.from_contact ? std::numeric_limits<double>::infinity() : settings.end;
   tell(implausible(settings.materials), advice);
   tell(in_words(meetings, end), advice);
+  tell(implausible_end(particles, settings), advice);
   tell(out_of_range(meetings, settings.materials, end), advice);
   tell(misses(particles), advice);
   tell(strangers(particles), advice);

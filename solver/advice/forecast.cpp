@@ -63,8 +63,8 @@ Forecast forecast_of(Simulation& simulation, const std::vector<Meeting>& meeting
                         ? simulation.last_step().dt
                         : forecast.first_dt / step_shortening(meetings, settings.materials, alpha_of(settings));
   const double left = std::max(0.0, duration(simulation, meetings) - simulation.time());
-  forecast.steps = simulation.steps() + static_cast<std::int64_t>(std::ceil(left / dt));
-  forecast.seconds = static_cast<double>(forecast.steps) * seconds;
+  forecast.steps = static_cast<double>(simulation.steps()) + std::ceil(left / dt);
+  forecast.seconds = forecast.steps * seconds;
 
   forecast.bytes_per_particle =
       static_cast<double>(particles.memory() + simulation.scheme().memory()) / static_cast<double>(particles.count());
@@ -74,7 +74,7 @@ Forecast forecast_of(Simulation& simulation, const std::vector<Meeting>& meeting
   const double shown = packing * bytes_of_fields(particles, true);
   const auto columns =
       5 + number_columns(particles.space(), Probes(settings.probes, particles).columns(particles)).size();
-  const double lines = static_cast<double>(forecast.steps) / static_cast<double>(settings.history_interval);
+  const double lines = forecast.steps / static_cast<double>(settings.history_interval);
   forecast.disk_bytes =
       snapshots * (forecast.snapshot_bytes + shown) + characters * lines * static_cast<double>(columns);
   return forecast;

@@ -9,7 +9,7 @@
 namespace tektite {
 
 struct Forecast {
-  std::int64_t steps = 0;
+  double steps = 0.0;               ///< a whole number, which may be larger than can be counted
   double first_dt = 0.0;            ///< s
   double seconds = 0.0;             ///< of each thread's processor
   double memory_bytes = 0.0;        ///< of the whole program, at its largest

@@ -54,6 +54,8 @@ std::string shown_time(double seconds) {
 }
 
 std::string shown_clock(double seconds) {
+  constexpr double year = 365.25 * 24.0 * 3600.0;
+  if (seconds >= year) return fmt::format("{:.3g} years", seconds / year);
   const auto whole = static_cast<long>(std::ceil(seconds));
   return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }

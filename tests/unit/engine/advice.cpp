@@ -3,6 +3,7 @@
 
 #include "advice/advise.hpp"
 #include "advice/contact.hpp"
+#include "advice/forecast.hpp"
 #include "advice/impact.hpp"
 #include "advice/msph_impacts.hpp"
 #include "advice/plausibility.hpp"
@@ -10,6 +11,8 @@
 #include "advice/symmetry.hpp"
 #include "advice/thickness.hpp"
 #include "advice/viscosity.hpp"
+#include "advice/weak_contacts.hpp"
+#include "output/progress.hpp"
 #include "run/locking.hpp"
 #include "support/lattice.hpp"
 
@@ -201,6 +204,30 @@ TEST_CASE("Advice: a density or a wave speed that no material has is told, as of
              Contains("metal") && Contains("1.684e+05 m/s") && Contains("2.785 kg/m3"));
   REQUIRE(lines("2785e3", "'79 GPa'").size() == 1);
   CHECK_THAT(lines("2785e3", "'79 GPa'").front(), Contains("osmium"));
+}
+
+TEST_CASE("Advice: an end that no run would come to is told, and its forecast is one of years", "[advice]") {
+  using Catch::Matchers::Contains;
+  const std::vector<Lattice> bodies{{"a", "metal", 1e-3, {0.0, 0.0}, {20, 10}, {0.0, 0.0}}};
+  const auto scene = [](const std::string& end) {
+    return "time.end = " + end +
+           "\n[material.metal]\ndensity = 2785.0\neos = { model = 'linear', bulk_modulus = '79 GPa' }\n";
+  };
+  const auto lines = [&](const std::string& end) {
+    return implausible_end(test::particles_on(Space::plane_strain, bodies, 2785.0),
+                           settings_of("space = 'plane-strain'\n" + scene(end)));
+  };
+  CHECK(lines("'8 us'").empty());
+  CHECK(lines("'300 ms'").empty());
+  REQUIRE(lines("8").size() == 1);
+  CHECK_THAT(lines("8").front(), Contains("3.6e-06 s") && Contains("time.end = 8 s"));
+
+  auto simulation = test::simulation_of(scene("1e25"), test::particles_on(Space::plane_strain, bodies, 2785.0));
+  const auto forecast = forecast_of(simulation, {}, 0.0);
+  CHECK(forecast.steps > 1e31);  // of some 60 ns
+  CHECK(forecast.disk_bytes > 1e33);
+  CHECK_THAT(shown_clock(8e30), Contains("years"));
+  CHECK(shown_clock(3599.5) == "1:00:00");
 }
 
 TEST_CASE("Advice: many lines of one kind do not hide those of another, nor say the same of a body twice", "[advice]") {
