@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "run/energy_debt.hpp"
 #include "run/hourglass_share.hpp"
 #include "run/locking.hpp"
@@ -44,6 +47,23 @@ std::string remedy_for_interpenetration(const SchemeSettings& scheme) {
 
 /// Under which a snapshot keeps what has been told, as `warning.NAME` or `warning.NAME.BODY`.
 constexpr std::string_view prefix = "warning.";
+
+/// Of as many bodies what is found of the same name has a line each; of more of them the first has one for all.
+constexpr std::ptrdiff_t told_each = 4;
+
+std::vector<Warning> together(const std::vector<Warning>& of_bodies) {
+  std::vector<Warning> lines;
+  for (const auto& warning : of_bodies) {
+    const auto same = [&](const Warning& other) { return other.name == warning.name; };
+    const auto bodies = std::ranges::count_if(of_bodies, same);
+    if (bodies <= told_each)
+      lines.push_back(warning);
+    else if (std::ranges::none_of(lines, same))
+      lines.push_back(
+          {warning.name, fmt::format("of {} bodies, of which this is the first: {}", bodies, warning.text)});
+  }
+  return lines;
+}
 
 }  // namespace
 
@@ -132,7 +152,9 @@ std::vector<Warning> Watch::note(const std::vector<Warning>& warnings) {
 std::vector<Warning> Watch::look(const Particles& particles, const RunSettings& settings,
                                  const std::vector<Warning>& of_scheme) {
   auto found = note(of_scheme);
-  for (const auto& body : particles.bodies()) look_at(particles, body, settings, found);
+  std::vector<Warning> of_bodies;
+  for (const auto& body : particles.bodies()) look_at(particles, body, settings, of_bodies);
+  std::ranges::move(together(of_bodies), std::back_inserter(found));
   return found;
 }
 

@@ -1,6 +1,8 @@
 // Runs that fail as the linear analysis says, and say so by name.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "run/too_near.hpp"
 #include "run/watch.hpp"
@@ -76,6 +78,27 @@ TEST_CASE("Tensile instability: with kernels of the reference configuration the 
   CHECK(farthest_from_places(simulation) < 0.01);
   Watch watch;
   CHECK(watch.look(simulation.particles(), simulation.settings(), {}).empty());
+}
+
+TEST_CASE("Watch: what is found of many bodies has one line for all of them") {
+  const auto warnings_of = [](int bodies) {
+    std::vector<Lattice> lattices;
+    for (int k = 0; k < bodies; ++k)
+      lattices.push_back({"ball" + std::to_string(k), "rubber", spacing, {0.0, 20 * k * spacing}, {8, 8}, {0.0, 0.0}});
+    const auto simulation = simulation_of(
+        "time.end = '1 us'\n[material.rubber]\ndensity = 1000.0\neos = { model = 'linear', bulk_modulus = '2 GPa' }\n"
+        "strength = { model = 'elastic', shear_modulus = '1 MPa' }\n",
+        particles_on(Space::plane_strain, lattices, 1000.0));
+    Watch watch;
+    auto warnings = watch.look(simulation.particles(), simulation.settings(), {});
+    CHECK(watch.look(simulation.particles(), simulation.settings(), {}).empty());  // told of each of them
+    return warnings;
+  };
+  CHECK(warnings_of(4).size() == 4);
+  const auto of_many = warnings_of(51);
+  REQUIRE(of_many.size() == 1);
+  CHECK(of_many[0].name == "locking");
+  CHECK_THAT(of_many[0].text, Catch::Contains("of 51 bodies") && Catch::Contains("ball0"));
 }
 
 TEST_CASE("Watch: a lattice has no clumps, however fine it is pressed") {
