@@ -14,6 +14,7 @@
 #include "advice/symmetry.hpp"
 #include "advice/thickness.hpp"
 #include "advice/viscosity.hpp"
+#include "advice/weak_contacts.hpp"
 #include "core/counted.hpp"
 #include "run/locking.hpp"
 #include "schemes/godunov_settings.hpp"
@@ -238,8 +239,8 @@ Advice advise(const Particles& particles, const RunSettings& settings, const std
   Advice advice;
   const double end = settings.from_contact ? std::numeric_limits<double>::infinity() : settings.end;
   tell(implausible(settings.materials), advice);
-  tell(in_words(meetings, end), advice);
   tell(implausible_end(particles, settings), advice);
+  tell(in_words(meetings, end), advice);
   tell(out_of_range(meetings, settings.materials, end), advice);
   tell(misses(particles), advice);
   tell(strangers(particles), advice);
@@ -247,6 +248,7 @@ Advice advise(const Particles& particles, const RunSettings& settings, const std
   tell(viscous_strengths(particles, settings, meetings), advice);
   tell(locks(particles, settings), advice);
   tell(slow_contacts(particles, settings, meetings), advice);
+  tell(weak_contacts(particles, settings, meetings), advice);
   tell(rough_contacts(particles, settings, meetings), advice);
   tell(msph_impacts(particles, settings, meetings), advice);
   advise_on_axis(particles, settings, meetings, advice);

@@ -382,6 +382,36 @@ TEST_CASE("Advice: a contact that begins in reach is named where an elastic impa
   CHECK(lines(37.0, reach, plastic).empty());
 }
 
+TEST_CASE("Advice: an impact of more pressure than its contact bears", "[advice]") {
+  using Catch::Matchers::Contains;
+  const auto lines = [](double speed, const std::string& contact, const std::string& left) {
+    const auto settings = settings_of("space = 'line'\nscheme.type = 'total-lagrangian'\n" + contact +
+                                      "[material.metal]\ndensity = 2785.0\neos = { model = 'linear', bulk_modulus = "
+                                      "'79 GPa' }\n[material.left]\ndensity = 1000.0\neos = " +
+                                      left + "\n[body.left]\nmaterial = 'left'\n[body.right]\nmaterial = 'metal'\n" +
+                                      "[time]\nend = '10 us'\n");
+    const auto particles = test::particles_on(
+        Space::line, {{"left", "left", 1e-3, {-40e-3}, {40}, {speed}}, {"right", "metal", 1e-3, {3e-3}, {40}, {0.0}}},
+        1000.0);
+    return weak_contacts(particles, settings, meetings(particles, settings.materials));
+  };
+  const std::string usual = "contact.model = 'kernel-penalty'\n", stiff = "contact.factor = 0.1\n",
+                    metal = "{ model = 'linear', bulk_modulus = '79 GPa' }",
+                    water = "{ model = 'stiffened-gas', bulk_sound_speed = 1500.0, grueneisen = 4.0 }",
+                    gas = "{ model = 'ideal-gas', heat_ratio = 1.4 }";
+  CHECK(lines(2000.0, usual, metal).empty());
+  REQUIRE(lines(16000.0, usual, metal).size() == 1);
+  CHECK_THAT(lines(16000.0, usual, metal).front(), Contains("at most 34") && Contains("contact.factor = 0.02"));
+  // Water is 35 times as soft: 1 GPa, where the impact has 2.4 GPa.
+  CHECK(lines(100.0, usual, water).empty());
+  REQUIRE(lines(1000.0, usual, water).size() == 1);
+  CHECK_THAT(lines(1000.0, usual, water).front(), Contains("holds them"));
+  CHECK(lines(1000.0, stiff, water).empty());
+  CHECK(lines(1000.0, "", water).empty());
+  REQUIRE(lines(1000.0, usual, gas).size() == 1);
+  CHECK_THAT(lines(1000.0, usual, gas).front(), Contains("run through each other"));
+}
+
 TEST_CASE("Advice: elastic impacts of total-Lagrangian bodies whose zero-energy modes nothing holds", "[advice]") {
   const auto lines = [](const std::string& scheme, const std::string& strength) {
     const auto settings = settings_of("space = 'plane-strain'\n" + scheme +
