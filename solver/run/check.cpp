@@ -14,6 +14,17 @@ namespace {
 /// Processor time that is spent on steps to measure what they cost.
 constexpr double calibration_seconds = 0.5;
 
+/// What a run says in several lines, as an input error has one.
+std::string on_one_line(const std::string& text) {
+  std::string line;
+  for (const char c : text)
+    if (c == '\n')
+      line += ';';
+    else if (c != ' ' || !line.ends_with(' '))
+      line += c;
+  return line;
+}
+
 }  // namespace
 
 void check(const CheckOptions& options) {
@@ -34,7 +45,8 @@ void check(const CheckOptions& options) {
       fmt::print("{}\n", line);
     print(forecast_of(simulation, met, options.advice ? calibration_seconds : 0.0), simulation);
   } catch (const RunError& fault) {
-    failure = InputError({{options.particles, 0}, {}, {}, fmt::format("the first steps fail: {}", fault.what()), {}});
+    const auto reason = fmt::format("the first steps fail: {}", on_one_line(fault.what()));
+    failure = InputError({{options.particles, 0}, {}, {}, reason, {}});
   }
   if (failure) throw *failure;
   if (!options.advice) return;
