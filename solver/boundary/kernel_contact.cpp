@@ -60,7 +60,7 @@ void KernelContact<D, Kernel>::prepare(double dt, bool ordered) {
     fill();
   } else {
     neighbourhood_.prepare(dt);
-    records_.resize(particles_.count() + neighbourhood_.mirror().images());
+    neighbourhood_.mirror().fit(records_, particles_.count());
   }
   if (sorted_ != neighbourhood_.lists()) sort();
 }
@@ -83,7 +83,7 @@ double KernelContact<D, Kernel>::energy() {
   const auto* x = particles_.template vectors<D>(Field::position);
   set_places([x](std::size_t i) { return x[i]; });
   evaluate(nullptr, nullptr);
-  return sum_over<1>(particles_, [this](std::size_t i) { return std::array{energy_[i]}; })[0];
+  return energy_sum_(particles_, [this](std::size_t i) { return std::array{energy_[i]}; })[0];
 }
 
 template <int D, class Kernel>
@@ -123,7 +123,7 @@ void KernelContact<D, Kernel>::note_volumes() {
 /// What does not change from step to step.
 template <int D, class Kernel>
 void KernelContact<D, Kernel>::fill() {
-  records_.resize(particles_.count() + neighbourhood_.mirror().images());
+  neighbourhood_.mirror().fit(records_, particles_.count());
   energy_.resize(particles_.count());
   const double* volume = particles_.scalars(Field::reference_volume);
   const double* h = particles_.scalars(Field::smoothing_length);
@@ -190,7 +190,7 @@ template <int D, class Kernel>
 void KernelContact<D, Kernel>::evaluate(const TouchingBodies::Turn& turn, Vector<double, D>* acceleration,
                                         double* stiffness) {
   sums_.assign(particles_.count(), {});
-  shares_.resize(records_.size());
+  neighbourhood_.mirror().fit(shares_, particles_.count());
   for_each_pair(turn.pairs, ContactSums<Kernel, D>{potential(), sums_.data()});
   const double* volume = particles_.scalars(Field::reference_volume);
   for (std::size_t k = 0; k < turn.at_start.size(); ++k) {

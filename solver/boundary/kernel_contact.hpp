@@ -13,6 +13,7 @@
 #include "boundary/touching_bodies.hpp"
 #include "neighbours/neighbourhood.hpp"
 #include "parallel/for_each.hpp"
+#include "parallel/sums.hpp"
 #include "passes/contact_pair.hpp"
 #include "passes/time_step_limit.hpp"
 #include "physics/kernels/kernel.hpp"
@@ -83,6 +84,7 @@ class KernelContact {
   std::vector<Face> faces_;                 ///< of each body
   std::vector<ContactRecord<D>> records_;
   std::vector<double> energy_;
+  RepeatedSum<1> energy_sum_;
   TouchingBodies touching_;
   std::size_t sorted_ = 0;  ///< the list that the pairs of bodies in touch are sorted from
   std::vector<ContactSum> sums_;

@@ -44,7 +44,16 @@ class Mirror {
   /// Appends to a value a particle those of the images, which have their particles' values.
   template <class T>
   void repeat(std::vector<T>& values) const {
+    values.reserve(values.size() + images_.size());
     for (const auto& image : images_) values.push_back(values[image.source]);
+  }
+
+  /// Gives a place to each of the `count` particles and each image, and room to no more: with every search there may be
+  /// some more images, and a vector that grows by a few makes twice the room.
+  template <class Record>
+  void fit(std::vector<Record>& records, std::size_t count) const {
+    records.reserve(count + images_.size());
+    records.resize(count + images_.size());
   }
 
   /// Fills the records of all images, which stand behind the `count` own ones. A record knows how to be mirrored.

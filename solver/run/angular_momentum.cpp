@@ -14,14 +14,19 @@ namespace {
 /// it is what round-off, 1e-16 of the speed a step, has left after any number of steps.
 constexpr double next_to_rest = 1e-9;
 
+/// How many axes something can turn about.
 template <int D>
-Vector<double, 3> cross(const Vector<double, D>& a, const Vector<double, D>& b) {
-  auto product = Vector<double, 3>::zero();
+constexpr int turns = D == 3 ? 3 : 1;
+
+/// a × b; in the plane its only component, along z.
+template <int D>
+Vector<double, turns<D>> cross(const Vector<double, D>& a, const Vector<double, D>& b) {
+  Vector<double, turns<D>> product;
   if constexpr (D == 3) {
     product[0] = a[1] * b[2] - a[2] * b[1];
     product[1] = a[2] * b[0] - a[0] * b[2];
   }
-  product[2] = a[0] * b[1] - a[1] * b[0];
+  product[turns<D> - 1] = a[0] * b[1] - a[1] * b[0];
   return product;
 }
 
@@ -30,7 +35,7 @@ template <int D>
 struct Moments {
   double mass;
   Vector<double, D> position, velocity;
-  Vector<double, 3> turning;
+  Vector<double, turns<D>> turning;
 };
 
 /// Where the particle of the least id is: from there places are taken, so that far from the origin nothing is lost to
@@ -54,40 +59,44 @@ Vector<double, D> first_place(const Particles& p) {
 }
 
 template <int D>
-Moments<D> moments_of(const Particles& p, const Vector<double, D>& origin) {
+using MomentSum = RepeatedSum<count_of_moments(D)>;
+
+template <int D>
+Moments<D> moments_of(const Particles& p, const Vector<double, D>& origin, MomentSum<D>& sum) {
   const double* mass = p.scalars(Field::mass);
   const auto *x = p.vectors<D>(Field::position), *v = p.vectors<D>(Field::velocity);
-  const auto sums = sum_over<1 + 2 * D + 3>(p, [=](std::size_t i) {
+  const auto sums = sum(p, [=](std::size_t i) {
     const auto arm = mass[i] * (x[i] - origin);
     const auto turning = cross(arm, v[i]);
-    std::array<double, 1 + 2 * D + 3> terms{mass[i]};
+    std::array<double, count_of_moments(D)> terms{mass[i]};
     std::size_t n = 1;
     for (int k = 0; k < D; ++k) terms[n++] = arm[k];
     for (int k = 0; k < D; ++k) terms[n++] = mass[i] * v[i][k];
-    for (int k = 0; k < 3; ++k) terms[n++] = turning[k];
+    for (int k = 0; k < turns<D>; ++k) terms[n++] = turning[k];
     return terms;
   });
   Moments<D> moments{sums[0], {}, {}, {}};
   std::size_t n = 1;
   for (int k = 0; k < D; ++k) moments.position[k] = sums[n++];
   for (int k = 0; k < D; ++k) moments.velocity[k] = sums[n++];
-  for (int k = 0; k < 3; ++k) moments.turning[k] = sums[n++];
+  for (int k = 0; k < turns<D>; ++k) moments.turning[k] = sums[n++];
   return moments;
 }
 
 template <int D>
-std::vector<double> about_centre(const Particles& p) {
-  const auto moments = moments_of<D>(p, first_place<D>(p));
+std::vector<double> about_centre(const Particles& p, MomentSum<D>& sum) {
+  const auto moments = moments_of<D>(p, first_place<D>(p), sum);
   const auto of_centre = (1.0 / moments.mass) * cross(moments.position, moments.velocity);
   std::vector<double> components;
-  for (const int axis : axes_of_turning(p.space())) components.push_back(moments.turning[axis] - of_centre[axis]);
+  for (int k = 0; k < turns<D>; ++k) components.push_back(moments.turning[k] - of_centre[k]);
   return components;
 }
 
 template <int D>
 double largest(const Particles& p) {
   const auto origin = first_place<D>(p);
-  const auto moments = moments_of<D>(p, origin);
+  MomentSum<D> sum;
+  const auto moments = moments_of<D>(p, origin, sum);
   const double* mass = p.scalars(Field::mass);
   const auto *x = p.vectors<D>(Field::position), *v = p.vectors<D>(Field::velocity);
   const auto centre = origin + (1.0 / moments.mass) * moments.position, mean = (1.0 / moments.mass) * moments.velocity;
@@ -110,9 +119,9 @@ std::vector<int> axes_of_turning(Space space) {
   }
 }
 
-std::vector<double> angular_momentum_of(const Particles& p) {
+std::vector<double> AngularMomentum::operator()(const Particles& p) {
   if (axes_of_turning(p.space()).empty()) return {};
-  return p.dimensions() == 3 ? about_centre<3>(p) : about_centre<2>(p);
+  return p.dimensions() == 3 ? about_centre<3>(p, in_space_) : about_centre<2>(p, in_plane_);
 }
 
 double largest_angular_momentum_of(const Particles& p) {

@@ -89,7 +89,7 @@ void Simulation::note_start() {
   initial_energy_ = ledger.total();
   note(ledger);
   initial_momentum_ = ledger.momentum;
-  initial_angular_momentum_ = angular_momentum_of(particles);
+  initial_angular_momentum_ = angular_momentum();
   largest_angular_momentum_ = largest_angular_momentum_of(particles);
   const auto mass =
       sum_over<1>(particles, [m = particles.scalars(Field::mass)](std::size_t i) { return std::array{m[i]}; })[0];
@@ -260,7 +260,7 @@ double Simulation::momentum_drift(const Ledger& now) const {
 std::optional<double> Simulation::angular_momentum_drift() const {
   if (clamped_) return std::nullopt;
   const auto walls = walls_of(settings_.scene.symmetry, settings_.scheme.anvil);
-  const auto now = angular_momentum();
+  const auto now = AngularMomentum()(particles());
   const auto axes = axes_of_turning(particles().space());
   std::optional<double> square;
   for (std::size_t k = 0; k < axes.size(); ++k) {
@@ -320,6 +320,6 @@ void Simulation::look(const std::function<void(const Particles&)>& look) const {
   look(distribution_->with_copies(particles(), halos));
 }
 
-std::vector<double> Simulation::angular_momentum() const { return angular_momentum_of(particles()); }
+std::vector<double> Simulation::angular_momentum() { return angular_momentum_(particles()); }
 
 }  // namespace tektite

@@ -9,6 +9,7 @@
 
 #include "core/snapshot.hpp"
 #include "parallel/distribution.hpp"
+#include "run/angular_momentum.hpp"
 #include "run/run_settings.hpp"
 #include "schemes/scheme.hpp"
 
@@ -51,7 +52,7 @@ class Simulation {
   const RunSettings& settings() const { return settings_; }
   const Scheme& scheme() const { return *scheme_; }
   Ledger ledger() const { return scheme_->ledger(); }
-  std::vector<double> angular_momentum() const;
+  std::vector<double> angular_momentum();
   const Profile& profile() const { return profile_; }
 
   /// Keeps what the energies of a line of the history tell the drift. Throws RunError where they have run away.
@@ -99,6 +100,7 @@ class Simulation {
   double largest_energy_ = 0.0;  ///< at play, of the lines so far
   double momentum_scale_ = 0.0;
   std::vector<double> initial_momentum_;
+  AngularMomentum angular_momentum_;
   std::vector<double> initial_angular_momentum_;
   double largest_angular_momentum_ = 0.0;  ///< at the start
 };

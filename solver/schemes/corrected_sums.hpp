@@ -41,7 +41,7 @@ class CorrectedSums {
                 const std::vector<EulerianRecord<D>>& records, const StrainRateRecord<D>* strain_rates,
                 const std::optional<Among>& among = {}) {
     const auto count = p.count();
-    records_.resize(count + mirror.images());
+    mirror.fit(records_, count);
     for (const auto& body : p.bodies()) {
       const auto members = among ? members_in(body.range, among->members) : std::span<const std::uint32_t>();
       for_each(among ? members.size() : body.range.size(), [&](std::size_t n) {

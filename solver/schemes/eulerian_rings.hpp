@@ -45,7 +45,7 @@ class EulerianRings {
     circumference_.resize(p.count());
     own_rate_.resize(p.count());
     smoothed_.resize(p.count());
-    rings_.resize(p.count() + mirror.images());
+    mirror.fit(rings_, p.count());
   }
   void fill_images(const Particles& p, const Mirror<2>& mirror) { mirror.fill(rings_, p.count()); }
 

@@ -97,7 +97,7 @@ class EulerianScheme final : public Scheme {
                             particles_, walls_, contact_, settings_.courant);
   }
 
-  Ledger ledger() override { return ledger_of<D>(particles_, contact_ ? contact_->energy() : 0.0); }
+  Ledger ledger() override { return ledger_sums_(particles_, contact_ ? contact_->energy() : 0.0); }
 
   bool in_contact() const override {
     if (contact_) return contact_->touching();
@@ -150,8 +150,8 @@ class EulerianScheme final : public Scheme {
   void predict(double half_step) {
     const auto scope = profile_.time("predict");
     auto& p = particles_;
-    records_.resize(p.count() + neighbourhood_.mirror().images());
-    if (reconstructs(settings_.viscosity)) strain_rates_.resize(records_.size());
+    neighbourhood_.mirror().fit(records_, p.count());
+    if (reconstructs(settings_.viscosity)) neighbourhood_.mirror().fit(strain_rates_, p.count());
     if constexpr (rings) rings_.resize(p, neighbourhood_.mirror());
     materials_.for_each_run([&](const auto& run) {
       if constexpr (plane_stress) {
@@ -243,6 +243,7 @@ class EulerianScheme final : public Scheme {
   Particles& particles_;
   Profile& profile_;
   SchemeSettings settings_;
+  LedgerSums<D> ledger_sums_;
   MaterialPasses<D, across> materials_;
   std::pair<double, double> smoothing_;  ///< smallest and largest h
   Neighbourhood<D> neighbourhood_;

@@ -80,7 +80,7 @@ class GodunovScheme : public Scheme {
                             neighbourhood_.mirror().planes(), contact_, settings_.courant);
   }
 
-  Ledger ledger() override { return ledger_of<D>(particles_, contact_ ? contact_->energy() : 0.0); }
+  Ledger ledger() override { return ledger_sums_(particles_, contact_ ? contact_->energy() : 0.0); }
 
   bool in_contact() const override {
     if (contact_) return contact_->touching();
@@ -95,7 +95,7 @@ class GodunovScheme : public Scheme {
 
  protected:
   virtual void resize_records() {
-    records_.resize(particles_.count() + neighbourhood_.mirror().images());
+    neighbourhood_.mirror().fit(records_, particles_.count());
     power_.resize(particles_.count());
     divergence_.resize(particles_.count());
     if (contact_) contact_acceleration_.resize(particles_.count());
@@ -183,6 +183,7 @@ class GodunovScheme : public Scheme {
   Particles& particles_;
   Profile& profile_;
   SchemeSettings settings_;
+  LedgerSums<D> ledger_sums_;
   Materials materials_;
   std::pair<double, double> smoothing_;  ///< smallest and largest h
   Neighbourhood<D> neighbourhood_;

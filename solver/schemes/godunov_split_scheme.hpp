@@ -72,7 +72,7 @@ class GodunovSplitScheme final : public GodunovScheme<space, Kernel, Hydrodynami
  private:
   void resize_records() override {
     Base::resize_records();
-    deviatoric_.resize(records_.size());
+    neighbourhood_.mirror().fit(deviatoric_, particles_.count());
   }
 
   /// Corrections at the places and volumes of now.
@@ -80,7 +80,7 @@ class GodunovSplitScheme final : public GodunovScheme<space, Kernel, Hydrodynami
     if (!settings_.corrected_eulerian) return;
     const auto scope = profile_.time("correction");
     auto& p = particles_;
-    corrections_.resize(records_.size());
+    neighbourhood_.mirror().fit(corrections_, p.count());
     for_each(p.count(), [this, &p](std::size_t i) {
       const double area_density = membrane<Base::plane_stress>(this->thickness(), i) * p.scalars(Field::density)[i];
       corrections_[i] = {p.template vectors<D>(Field::position)[i], p.scalars(Field::mass)[i] / area_density,

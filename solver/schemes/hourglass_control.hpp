@@ -48,7 +48,7 @@ class HourglassControl {
       return HourglassForces<Kernel, D, Records>{{r, reference.data()}, fits_.data(), motion.data(), mass,
                                                  acceleration,          power_.data()};
     });
-    energy_ += dt * sum_over<1>(particles, [this](std::size_t i) { return std::array{power_[i]}; })[0];
+    energy_ += dt * work_sum_(particles, [this](std::size_t i) { return std::array{power_[i]}; })[0];
   }
 
   /// The work done against the control so far: what it stores, and what it stored where particles have failed, J.
@@ -65,6 +65,7 @@ class HourglassControl {
   std::vector<double> stiffness_, power_;
   std::vector<HourglassRecord<D>> fits_;
   double energy_ = 0.0;
+  RepeatedSum<1> work_sum_;
 };
 
 }  // namespace tektite

@@ -35,7 +35,7 @@ class InterfaceForces {
            const std::vector<MotionRecord<2>>& motion, const std::vector<StressRecord<2>>& stress,
            const std::vector<ShiftRecord<2>>& shift) {
     if (members_.empty()) return;
-    records_.resize(p.count() + mirror.images());
+    mirror.fit(records_, p.count());
     for (const auto& body : p.bodies()) {
       const auto members = members_in(body.range, members_);
       for_each(members.size(), [&](std::size_t n) { fill(p, members[n], body.spacing); });

@@ -87,7 +87,7 @@ class MsphScheme final : public Scheme {
         least_acoustic_step<D>(particles_, settings_.courant, [v](std::size_t i) { return norm(v[i]); });  // eq. 3.22
     return {least.dt, least.reason, least.particle};
   }
-  Ledger ledger() override { return ledger_of<D>(particles_, 0.0); }
+  Ledger ledger() override { return ledger_sums_(particles_, 0.0); }
   bool in_contact() const override {
     return body_contact(neighbourhood_.pairs(), particles_, records_, Kernel::support);
   }
@@ -139,7 +139,7 @@ class MsphScheme final : public Scheme {
   void assemble() {
     const auto scope = profile_.time("assemble");
     auto& p = particles_;
-    records_.resize(p.count() + neighbourhood_.mirror().images());
+    neighbourhood_.mirror().fit(records_, p.count());
     for_each(p.count(), [&, x = p.template vectors<D>(Field::position),
                          v = p.template vectors<D>(Field::velocity)](std::size_t i) {
       records_[i].x = x[i];
@@ -229,7 +229,7 @@ class MsphScheme final : public Scheme {
       mirror.repeat(across_);
       mirror.fill(records_, p.count());
     }
-    coefficients_.resize(p.count() + mirror.images());
+    mirror.fit(coefficients_, p.count());
     mirror.fill(coefficients_, p.count());
     for_each_pair(neighbourhood_.pairs(),
                   MsphAdjoint<Weights, D, hoops>{gather(), coefficients_.data(), across_.data(), divergence_.data()});
@@ -324,6 +324,7 @@ class MsphScheme final : public Scheme {
   Particles& particles_;
   Profile& profile_;
   SchemeSettings settings_;
+  LedgerSums<D> ledger_sums_;
   MaterialPasses<D, across> materials_;
   Neighbourhood<D> neighbourhood_;
   Anvil<D> anvil_;

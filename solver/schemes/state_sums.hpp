@@ -114,15 +114,22 @@ TimeStep smallest_step(typename TimeStepLimit<D>::Least least, const Particles& 
   return {least.dt, least.reason, least.particle};
 }
 
-/// Energies and momentum; `contact` is what is stored between bodies, J.
+/// Is asked again and again for energies and momentum.
 template <int D>
-Ledger ledger_of(const Particles& p, double contact) {
-  const EnergySums<D> pass{p.scalars(Field::mass), p.vectors<D>(Field::velocity),
-                           p.scalars(Field::specific_internal_energy),
-                           p.has(Field::plastic_work) ? p.scalars(Field::plastic_work) : nullptr,
-                           p.has(Field::viscous_work) ? p.scalars(Field::viscous_work) : nullptr};
-  const auto sums = sum_over<EnergySums<D>::count>(p, pass);
-  return {sums[0], sums[1], sums[2], sums[3], contact, {sums.begin() + 4, sums.end()}};
-}
+class LedgerSums {
+ public:
+  /// `contact` is what is stored between bodies, J.
+  Ledger operator()(const Particles& p, double contact) {
+    const EnergySums<D> pass{p.scalars(Field::mass), p.vectors<D>(Field::velocity),
+                             p.scalars(Field::specific_internal_energy),
+                             p.has(Field::plastic_work) ? p.scalars(Field::plastic_work) : nullptr,
+                             p.has(Field::viscous_work) ? p.scalars(Field::viscous_work) : nullptr};
+    const auto sums = sum_(p, pass);
+    return {sums[0], sums[1], sums[2], sums[3], contact, {sums.begin() + 4, sums.end()}};
+  }
+
+ private:
+  RepeatedSum<EnergySums<D>::count> sum_;
+};
 
 }  // namespace tektite

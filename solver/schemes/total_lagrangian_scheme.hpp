@@ -139,7 +139,7 @@ class TotalLagrangianScheme final : public Scheme {
   }
 
   Ledger ledger() override {
-    auto ledger = ledger_of<D>(particles_, contact_ ? contact_->energy() : 0.0);
+    auto ledger = ledger_sums_(particles_, contact_ ? contact_->energy() : 0.0);
     if (hourglass_) ledger.hourglass = hourglass_->energy();
     return ledger;
   }
@@ -441,6 +441,7 @@ class TotalLagrangianScheme final : public Scheme {
   Particles& particles_;
   Profile& profile_;
   SchemeSettings settings_;
+  LedgerSums<D> ledger_sums_;
   MaterialPasses<D, rings> materials_;  ///< the ring's strain is the third one of the section
   Mirror<D> mirror_;
   std::optional<KernelContact<D, Kernel>> contact_;

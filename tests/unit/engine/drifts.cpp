@@ -113,7 +113,7 @@ TEST_CASE("Drift: the angular momentum of what spins is told, whatever moves the
                       "strength = {{ model = 'elastic', shear_modulus = '27.6 GPa' }}\n",
                       correction),
           std::move(particles));
-      const auto before = angular_momentum_of(simulation.particles());
+      const auto before = AngularMomentum()(simulation.particles());
       REQUIRE(before.size() == 1);
       // A square of n x n particles: Σ m r² = N m d² (n² - 1)/6, all of which turns.
       CHECK(before[0] == Approx(256 * 2785.0 * d * d * d * d * 255.0 / 6.0 * spin).epsilon(1e-9));

@@ -4,6 +4,7 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <random>
 
@@ -54,6 +55,22 @@ TEST_CASE("Sums: nothing, infinite and missing numbers come out as what they are
   CHECK(sum_of({1e-310, 1e-310}) == 2e-310);
   CHECK_FALSE(std::isfinite(sum_of({1.0, std::numeric_limits<double>::infinity()})));
   CHECK(std::isnan(sum_of({1.0, std::numeric_limits<double>::quiet_NaN()})));
+}
+
+TEST_CASE("Sums: one that is taken again has the bits of one that is taken anew, whatever came before") {
+  RepeatedSum<1> again;
+  // Larger, smaller, none, what is not finite, ordinary ones again.
+  for (const double scale : {1.0, 1.0, 1e6, 1e-9, 0.0, 3.0, std::numeric_limits<double>::infinity(), 1.0, 1.0}) {
+    auto numbers = numbers_of_many_sizes(1001);
+    for (auto& number : numbers) number *= scale;
+    const Particles particles(Space::line, {{"all", "metal", 1.0, {0, numbers.size()}}});
+    const auto sum = again(particles, [&](std::size_t i) { return std::array{numbers[i]}; })[0];
+    CAPTURE(scale);
+    if (std::isfinite(scale))
+      CHECK(sum == sum_of(numbers));
+    else
+      CHECK_FALSE(std::isfinite(sum));
+  }
 }
 
 TEST_CASE("Order: particles stand by cells and ids, whatever their order was before") {
