@@ -32,7 +32,7 @@ set(TARGETS_front tektite)
 set(LINKS_front tektite_core tektite_serial_hdf5)
 
 set(FOLDERS_preprocess preprocess)
-set(SEES_preprocess core/ preprocess/ parallel/agreed.hpp parallel/program_on_ranks.hpp parallel/ranks.hpp parallel/reduce.hpp parallel/sums.hpp)
+set(SEES_preprocess core/ preprocess/ parallel/agreed.hpp parallel/checksum_by_all.hpp parallel/program_on_ranks.hpp parallel/ranks.hpp parallel/reduce.hpp parallel/sums.hpp)
 set(TARGETS_preprocess tektite_preprocess tektite-preprocess)
 set(LINKS_preprocess tektite_core tektite_ranks tektite_preprocess tektite_options tektite_serial_hdf5)
 set(FOREIGN_preprocess CGAL)
