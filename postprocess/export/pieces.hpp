@@ -8,7 +8,7 @@
 
 namespace tektite {
 
-/// Pieces end where chunks of a particle file do (65536 rows), so that none is read twice.
+/// Of some 300 bytes each: a piece and what is made of it take less than 0.3 GB.
 inline constexpr std::size_t particles_per_piece = std::size_t{1} << 19;
 
 /// Writes a particle file that check_file() lets pass to folder/NAME.vtu, or where it has more than `most` particles to

@@ -2,7 +2,6 @@
 // What the contact of two flat faces bears.
 
 #include <algorithm>
-#include <cmath>
 
 #include "boundary/face_contact.hpp"
 
@@ -12,20 +11,11 @@ namespace tektite {
 /// whose outermost rows are `gap` apart and lie opposite to each other, J/m².
 template <class Kernel, int D>
 double contact_energy(const Face& own, const Face& other, double factor, int exponent, double gap) {
-  const double spacing = 0.5 * (own.spacing + other.spacing), delta = other.spacing;
-  const double h = 0.5 * (own.smoothing_length + other.smoothing_length);
-  const double at_spacing = Kernel::shape(spacing / h);
-  const int along = static_cast<int>(Kernel::support * h / delta) + 1;
+  const double support = Kernel::support * 0.5 * (own.smoothing_length + other.smoothing_length);
   double sum = 0.0;
-  for (double x = gap; x < Kernel::support * h; x += own.spacing)  // row behind row of `own` ...
-    for (double z = x; z < Kernel::support * h; z += delta)        // ... before row behind row of `other`
-      for (int i = D > 1 ? -along : 0; i <= (D > 1 ? along : 0); ++i)
-        for (int j = D > 2 ? -along : 0; j <= (D > 2 ? along : 0); ++j) {
-          const double q = std::hypot(z, i * delta, j * delta) / h;
-          if (q < Kernel::support) sum += std::pow(Kernel::shape(q) / at_spacing, exponent);
-        }
-  const double modulus = factor * std::min(own.bulk_modulus, other.bulk_modulus);
-  return modulus * std::pow(delta / spacing, D) * own.spacing * sum;
+  for (double row = gap; row < support; row += own.spacing)  // of the own body, one behind the other
+    sum += energy_before_face<Kernel, D>(own, other, factor, exponent, row);
+  return own.spacing * sum;
 }
 
 /// The largest pressure that it has, Pa, over the gap: what presses the faces together by more is not held.

@@ -13,14 +13,6 @@
 namespace tektite {
 namespace {
 
-std::vector<std::uint32_t> owned_in(const Particles& particles) {
-  const Owned owned(particles);
-  std::vector<std::uint32_t> own;
-  for (std::uint32_t i = 0; i < particles.count(); ++i)
-    if (owned(i)) own.push_back(i);
-  return own;
-}
-
 std::size_t slot(int number) { return static_cast<std::size_t>(number); }
 
 /// A number of each rank.

@@ -16,10 +16,7 @@ struct Member {
 };
 
 std::vector<Member> own_in_order(const Particles& particles) {
-  const Owned owned(particles);
-  std::vector<std::uint32_t> own;
-  for (std::uint32_t i = 0; i < particles.count(); ++i)
-    if (owned(i)) own.push_back(i);
+  const auto own = owned_in(particles);
   const auto keys = order_keys(particles, own);
   std::vector<Member> members(own.size());
   for (std::size_t n = 0; n < own.size(); ++n) members[n] = {keys[n], own[n]};

@@ -34,6 +34,14 @@ std::vector<Body> bodies_of_sizes(std::vector<Body> bodies, std::span<const std:
   return bodies;
 }
 
+std::vector<std::uint32_t> owned_in(const Particles& particles) {
+  const Owned owned(particles);
+  std::vector<std::uint32_t> own;
+  for (std::uint32_t i = 0; i < particles.count(); ++i)
+    if (owned(i)) own.push_back(i);
+  return own;
+}
+
 std::vector<Word> body_of_each(const Particles& particles, std::span<const std::uint32_t> members) {
   const auto& bodies = particles.bodies();
   std::vector<Word> numbers(members.size());

@@ -14,6 +14,8 @@ namespace tektite {
 
 /// Bodies one behind the other, of so many particles each.
 std::vector<Body> bodies_of_sizes(std::vector<Body> bodies, std::span<const std::size_t> sizes);
+/// Which particles this rank owns.
+std::vector<std::uint32_t> owned_in(const Particles& particles);
 /// The number of the body of each.
 std::vector<Word> body_of_each(const Particles& particles, std::span<const std::uint32_t> members);
 

@@ -42,11 +42,11 @@ inline std::vector<Warning> few_neighbours(std::size_t without, std::size_t coun
 /// Least determinants of the moment M with which a particle is corrected. M is near the unit tensor in the midst of a
 /// body, and has 0.47^D at a corner of a lattice, whatever its h.
 ///
-/// Of the reference configuration, found once, the correction is wanted up to the tips of cones: all that can be
+/// Of the reference configuration of a body that stays whole it is wanted up to the tips of cones: all that can be
 /// inverted.
 inline constexpr double least_moment_of_reference = 1e-3;
-/// Of the present configuration only particles that have less than two thirds of a corner, in each direction, go
-/// without: they are torn off, and gradients several times too large, other ones at each search, tear them further
+/// Of the present configuration, and where particles fail, those that have less than two thirds of a corner, each way,
+/// go without: they are torn off, and gradients several times too large, other ones at each search, tear them further
 /// (hvi_2d by `mixed` without the switch C_f ended so, eulerian after 1000 steps and godunov-split after 200).
 template <int D>
 inline constexpr double least_moment_of_pieces = 0.3 * least_moment_of_pieces<D - 1>;

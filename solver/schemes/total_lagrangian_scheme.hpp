@@ -23,7 +23,7 @@
 #include "schemes/lagrangian_rings.hpp"
 #include "schemes/make_scheme_in.hpp"
 #include "schemes/material_passes.hpp"
-#include "schemes/mixed_correction.hpp"
+#include "schemes/reference_correction.hpp"
 #include "schemes/reference_neighbours.hpp"
 #include "schemes/scheme.hpp"
 #include "schemes/state_sums.hpp"
@@ -158,7 +158,7 @@ class TotalLagrangianScheme final : public Scheme {
   std::size_t memory() const override {
     return neighbours_.memory() + (contact_ ? contact_->memory() : 0) + (eulerian_ ? eulerian_->memory() : 0) +
            reference_.capacity() * sizeof(ReferenceRecord<D>) + motion_.capacity() * sizeof(MotionRecord<D>) +
-           stress_.capacity() * sizeof(StressRecord<D>) + corrections_.capacity() * sizeof(Correction<double, D>) +
+           stress_.capacity() * sizeof(StressRecord<D>) + correction_.memory() +
            shift_.capacity() * sizeof(ShiftRecord<D>) + strain_rates_.capacity() * sizeof(StrainRateRecord<D>) +
            deformation_.capacity() * sizeof(Tensor<double, D>) + rings_.memory() + interface_.memory() +
            (hourglass_ ? hourglass_->memory() : 0);
@@ -166,7 +166,7 @@ class TotalLagrangianScheme final : public Scheme {
 
  private:
   std::size_t without_correction() const {
-    return without_of_all(particles_, uncorrected_ + (eulerian_ ? eulerian_->without_correction() : 0));
+    return without_of_all(particles_, correction_.without() + (eulerian_ ? eulerian_->without_correction() : 0));
   }
   bool converts() const { return settings_.conversion.by != Conversion::By::none; }
   double support() const { return Kernel::support * smoothing_range(particles_).second; }
@@ -215,27 +215,12 @@ class TotalLagrangianScheme final : public Scheme {
   /// count them, what is missing in the sums beside them would be a strain, and of a piece that turns a large one.
   void note_volumes() {
     if constexpr (rings) rings_.find_offsets(neighbours_.pairs(), mirror_, reference_);
-    if (settings_.corrected) find_corrections();
+    // Where particles may fail they leave pieces: with a smaller moment the gradients are several times too large, and
+    // other ones each time that a neighbour fails.
+    if (settings_.corrected)
+      correction_.find(neighbours_.pairs(), mirror_, reference_, particles_.count(),
+                       failed_leave() ? least_moment_of_pieces<D> : least_moment_of_reference, Owned(particles_));
     neighbours_.fill(reference_);
-  }
-
-  /// Where particles may fail they are those of pieces: with a smaller moment the gradients are several times too
-  /// large, and other ones each time that a neighbour fails.
-  void find_corrections() {
-    std::vector<CorrectionRecord<D>> records(reference_.size());
-    for_each(records.size(), [&](std::size_t i) {
-      const auto& r = reference_[i];
-      records[i] = {r.x, r.volume, r.smoothing_length, Correction<double, D>::none()};
-    });
-    std::vector<std::uint8_t> counted(particles_.count());
-    for_each(counted.size(),
-             [&](std::size_t i) { counted[i] = reference_[i].lagrangian != 0.0 && reference_[i].volume != 0.0; });
-    const double least_moment = failed_leave() ? least_moment_of_pieces<D> : least_moment_of_reference;
-    uncorrected_ =
-        MixedCorrection<Kernel, D>(least_moment)
-            .find(neighbours_.pairs(), mirror_, records, particles_.count(), counted.data(), Owned(particles_));
-    corrections_.resize(particles_.count());
-    for_each(particles_.count(), [&](std::size_t i) { corrections_[i] = records[i].correction; });
   }
 
   /// Copies who is Eulerian into the records: an Eulerian particle has its volume, also where it had failed before and
@@ -303,7 +288,7 @@ class TotalLagrangianScheme final : public Scheme {
     {
       const auto scope = profile_.time("deformation");
       sweep([this]<bool corrected, class Records>(const Records& records) {
-        return DeformationSums<Kernel, D, corrected, Records>{{records, reference_.data(), corrections_.data()},
+        return DeformationSums<Kernel, D, corrected, Records>{{records, reference_.data(), correction_.data()},
                                                               stress_.data()};
       });
       if constexpr (rings)
@@ -406,7 +391,7 @@ class TotalLagrangianScheme final : public Scheme {
       if (advances) m.advance_strength(run, dt, half.velocity_gradient, density);
     }
     if (settings_.corrected)
-      run_through(all, WeighStress<D, true>{reference, corrections_.data() + first, records, shift_.data() + first});
+      run_through(all, WeighStress<D, true>{reference, correction_.data() + first, records, shift_.data() + first});
     else
       run_through(all, WeighStress<D, false>{reference, nullptr, records, nullptr});
   }
@@ -449,11 +434,10 @@ class TotalLagrangianScheme final : public Scheme {
   std::vector<SymmetryPlane> walls_;
   LagrangianRings<Kernel> rings_;  ///< of an axisymmetric space
   Neighbours neighbours_;
-  std::size_t uncorrected_ = 0;
   std::vector<ReferenceRecord<D>> reference_;
   std::vector<MotionRecord<D>> motion_;
   std::vector<StressRecord<D>> stress_;
-  std::vector<Correction<double, D>> corrections_;   ///< of the particles, where a scene asks for them
+  ReferenceCorrection<Kernel, D> correction_;        ///< where a scene asks for it
   std::vector<StrainRateRecord<D>> strain_rates_;    ///< where the viscosity reads them
   std::vector<ShiftRecord<D>> shift_;                ///< where there are corrections, and in adaptle
   std::vector<Tensor<double, D>> deformation_;       ///< F of the last step, for the conversion of adaptle
