@@ -108,7 +108,9 @@ std::optional<Lattice<D>> Lattice<D>::find(std::span<const Vector<double, D>> pl
   Lattice lattice;
   lattice.pitch_ = static_cast<std::size_t>(pitch);
   lattice.margin_ = static_cast<std::size_t>(margin);
-  lattice.plane_ = static_cast<std::size_t>(D == 3 ? stride[axes[D - 1]] : rows);
+  lattice.planes_ = static_cast<std::size_t>(D > 1 ? extent[axes[D - 1]] : 1);
+  lattice.plane_ = D > 1 ? stride[axes[D - 1]] : 0;
+  lattice.first_row_ = reach;
   lattice.records_.assign(static_cast<std::size_t>((rows + 2 * reach) * pitch), nobody);
   for (const auto i : members) {
     const auto point = *point_of<D>(places[i], whole.anchor, spacing);
@@ -120,13 +122,26 @@ std::optional<Lattice<D>> Lattice<D>::find(std::span<const Vector<double, D>> pl
     record = i;
   }
 
+  // Beams of much the same size, that begin where a pack of records does.
+  const auto parts = [](std::size_t whole, std::size_t most) { return (whole + most - 1) / most; };
+  const auto columns = static_cast<std::size_t>(std::max(extent[axes[0]], wide));
+  const auto plane_rows = static_cast<std::size_t>(D == 3 ? extent[axes[1]] : 1);
+  const auto across = parts(plane_rows, rows_of_beam), along = parts(columns, columns_of_beam);
+  for (std::size_t a = 0; a < across; ++a)
+    for (std::size_t b = 0; b < along; ++b) {
+      const auto row = [&](std::size_t part) { return part * plane_rows / across; };
+      const auto column = [&](std::size_t part) {
+        return part == along ? columns : part * columns / along / pack_width * pack_width;
+      };
+      lattice.beams_.push_back({row(a), row(a + 1) - row(a), lattice.margin_ + column(b), column(b + 1) - column(b)});
+    }
+
   Point step;
   step.fill(-margin);
   for (;;) {
-    Neighbour neighbour{0, step[axes[0]], Vector<double, D>::zero(), {}};
-    for (std::size_t k = 0; k < D; ++k) neighbour.steps[k] = step[axes[D - 1 - k]];
+    Neighbour neighbour{Vector<double, D>::zero(), {}};
     for (std::size_t k = 0; k < D; ++k) {
-      neighbour.rows += step[k] * stride[k];
+      neighbour.steps[k] = step[axes[D - 1 - k]];
       neighbour.x[static_cast<int>(k)] = -spacing * static_cast<double>(step[k]);
     }
     const double away = norm(neighbour.x);

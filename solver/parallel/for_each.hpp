@@ -2,6 +2,8 @@
 // The loops over particles. Of the engine this room alone knows threads; the bodies are small functors with views by
 // value. A body writes only to its own particle, so the answer is the same for any number of threads.
 
+#include <omp.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -37,6 +39,14 @@ template <class Body>
 void for_each_uneven(std::size_t count, const Body& body) {
 #pragma omp parallel for schedule(dynamic, 1)
   for (std::size_t i = 0; i < count; ++i) body(i);
+}
+
+/// The same with a room of the thread's own, which is as the thread has left it: body(i, room).
+template <class Room, class Body>
+void for_each_uneven(std::size_t count, std::vector<Room>& rooms, const Body& body) {
+  rooms.resize(std::max(rooms.size(), static_cast<std::size_t>(omp_get_max_threads())));
+#pragma omp parallel for schedule(dynamic, 1)
+  for (std::size_t i = 0; i < count; ++i) body(i, rooms[static_cast<std::size_t>(omp_get_thread_num())]);
 }
 
 }  // namespace tektite

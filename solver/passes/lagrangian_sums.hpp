@@ -28,13 +28,13 @@ struct ListedRecords {
   using Index = const std::uint32_t*;
   const ReferenceRecord<D>* reference;
   const MotionRecord<D>* motion;
-  const StressRecord<D>* stress;
+  const StressRecord<D>* stress = nullptr;           ///< where a pass reads them, as all that follow
   const ShiftRecord<D>* shift = nullptr;             ///< with a correction
   const HourglassRecord<D>* hourglass = nullptr;     ///< with control of zero-energy modes
   const StrainRateRecord<D>* strain_rate = nullptr;  ///< where the viscosity reconstructs velocities
 };
 
-/// ... and those of a lattice.
+/// ... and copies of those of a lattice.
 template <int D>
 struct LatticeRecords {
   using Number = WidePack;

@@ -1,7 +1,8 @@
 #pragma once
-// Records of a lattice, row by row, and in a row number by number: the k-th number of all its cells, then the next one.
-// A pass reads a member of wide_pack_width cells side by side with one load a number, by the names that it uses for
-// records that it gathers. All that it reads of the few rows near a particle then lies on a few pages of memory.
+// Records of a part of a lattice, row by row, and in a row number by number: the k-th number of all its cells, then the
+// next one. A pass reads a member of wide_pack_width cells side by side with one load a number, by the names that it
+// uses for records that it gathers. All that it reads of the few rows near a particle then lies on a few pages of
+// memory.
 
 #include <algorithm>
 #include <span>
@@ -44,51 +45,78 @@ template <class Record, class Owner, class Member>
   return gathered(t, place, member);
 }
 
-/// Owns the numbers of all kinds of records of a lattice, so that those of a cell lie near each other.
-class TransposedRecords {
+/// Holds copies of the records of as many planes of a beam as a pass reads for one of them, those around it, and moves
+/// on with it plane by plane. A plane takes the room of the one that is no longer read.
+class TransposedWindow {
  public:
-  /// `kept`: numbers of a cell.
+  /// Room for any beam of this lattice, with `kept` numbers a cell; empty at first.
   template <int D>
-  TransposedRecords(const Lattice<D>& lattice, std::size_t kept)
-      : pitch_(lattice.pitch()), kept_(kept), numbers_(kept * lattice.records().size(), 0.0) {}
-
-  /// The way in numbers from a cell to that so many rows and columns on.
-  LatticePlace way(std::ptrdiff_t rows, std::ptrdiff_t columns) const {
-    return rows * static_cast<std::ptrdiff_t>(pitch_ * kept_) + columns;
+  void prepare(const Lattice<D>& lattice, std::size_t kept) {
+    rows_ = columns_ = 0;
+    for (const auto& beam : lattice.beams()) {
+      rows_ = std::max(rows_, beam.rows);
+      columns_ = std::max(columns_, beam.columns);
+    }
+    rows_ += 2 * lattice.row_margin();
+    pitch_ = (columns_ + 2 * lattice.margin() + pack_width - 1) / pack_width * pack_width;
+    planes_ = 2 * lattice.plane_margin() + 1;
+    kept_ = kept;
+    beam_ = nullptr;
+    if (const auto numbers = planes_ * rows_ * kept_ * pitch_; numbers_.size() < numbers) numbers_.resize(numbers);
   }
-  /// The place of a cell, counted row by row.
-  LatticePlace place(std::size_t cell) const {
-    return way(static_cast<std::ptrdiff_t>(cell / pitch_), static_cast<std::ptrdiff_t>(cell % pitch_));
-  }
+  /// Numbers of a cell that there is room for.
+  std::size_t kept() const { return kept_; }
 
-  /// Every cell holds the first `numbers` numbers of a record of no particle behind its first `from` numbers.
-  template <class Record>
-  void empty(std::size_t from, std::size_t numbers) {
-    const Record nobody{};
-    const auto* const number = reinterpret_cast<const double*>(&nobody);
-    for (std::size_t row = 0; row < numbers_.size(); row += kept_ * pitch_)
-      for (std::size_t k = 0; k < numbers; ++k) std::fill_n(&numbers_[row + (from + k) * pitch_], pitch_, number[k]);
-  }
-
-  /// Copies the first `numbers` numbers of the record of every cell that holds one behind the cell's first `from`
-  /// numbers; all others stay as they are.
-  template <int D, class Record>
-  void fill(const Lattice<D>& lattice, const std::vector<Record>& records, std::size_t from, std::size_t numbers) {
-    static const Record nobody{};
-    for_each(lattice.rows(), [&](std::size_t row) {
-      const auto cells = lattice.records().subspan(row * pitch_, pitch_);
-      double* const to = numbers_.data() + (row * kept_ + from) * pitch_;
-      for (std::size_t column = 0; column < pitch_; column += pack_width) {
-        const double* place[pack_width];
-        bool any = false;
-        for (std::size_t lane = 0; lane < pack_width; ++lane) {
-          const auto i = cells[column + lane];
-          any = any || i != lattice.nobody;
-          place[lane] = reinterpret_cast<const double*>(i != lattice.nobody ? &records[i] : &nobody);
-        }
-        if (any) copy(place, numbers, to + column);
+  /// Holds all that a pass reads for a layer: copy(cells, to) has the records `cells` of a row copied, as copy() below
+  /// does, for each row that was not there.
+  template <int D, class Copy>
+  void move_to(const Lattice<D>& lattice, const typename Lattice<D>::Layer& layer, const Copy& copy) {
+    const auto* const beam = &lattice.beams()[layer.beam];
+    const auto plane = static_cast<std::ptrdiff_t>(layer.plane);
+    const auto margin = static_cast<std::ptrdiff_t>(lattice.plane_margin());
+    const auto row_margin = static_cast<std::ptrdiff_t>(lattice.row_margin());
+    auto from = plane - margin;
+    if (beam == beam_) from = std::max(from, next_plane_);
+    beam_ = beam;
+    next_plane_ = plane + margin + 1;
+    row_ = static_cast<std::ptrdiff_t>(beam->row) - row_margin;
+    column_ = static_cast<std::ptrdiff_t>(beam->column - lattice.margin());
+    const auto last = static_cast<std::ptrdiff_t>(beam->row + beam->rows) + row_margin;
+    for (auto p = from; p < next_plane_; ++p)
+      for (auto row = row_; row < last; ++row) {
+        const auto cells = lattice.row(p, row).subspan(static_cast<std::size_t>(column_));
+        copy(cells.first(std::min(pitch_, cells.size())), numbers_.data() + place_of(p, row, column_));
       }
-    });
+  }
+
+  /// Where a cell stands.
+  LatticePlace place(std::size_t plane, std::size_t row, std::size_t column) const {
+    return place_of(static_cast<std::ptrdiff_t>(plane), static_cast<std::ptrdiff_t>(row),
+                    static_cast<std::ptrdiff_t>(column));
+  }
+  /// The ways from a cell of this plane to those of its neighbours.
+  template <class Neighbours>
+  void find_ways(std::size_t plane, const Neighbours& neighbours, std::vector<std::ptrdiff_t>& ways) const {
+    const auto here = static_cast<std::ptrdiff_t>(plane);
+    ways.clear();
+    for (const auto& n : neighbours)
+      ways.push_back(place_of(here + n.planes(), row_ + n.rows(), column_ + n.columns()) -
+                     place_of(here, row_, column_));
+  }
+
+  /// Copies the first `numbers` numbers of the records `cells` of a row behind the cells' first `from` numbers; where
+  /// there is nobody, those of an empty record.
+  template <class Record>
+  void copy(std::span<const std::uint32_t> cells, const Record* records, std::size_t numbers, double* to) const {
+    static const Record nobody{};
+    for (std::size_t column = 0; column < cells.size(); column += pack_width) {
+      const double* place[pack_width];
+      for (std::size_t lane = 0; lane < pack_width; ++lane) {
+        const auto i = cells[column + lane];
+        place[lane] = reinterpret_cast<const double*>(i != no_record ? &records[i] : &nobody);
+      }
+      turn(place, numbers, to + column);
+    }
   }
 
   /// The view of records that stand behind the first `from` numbers of each cell.
@@ -96,11 +124,20 @@ class TransposedRecords {
   Transposed<Record> view(std::size_t from) const {
     return {numbers_.data() + from * pitch_, static_cast<std::ptrdiff_t>(pitch_)};
   }
+  std::size_t pitch() const { return pitch_; }
   std::size_t memory() const { return numbers_.capacity() * sizeof(double); }
 
  private:
+  static constexpr std::uint32_t no_record = Lattice<1>::nobody;
+
+  LatticePlace place_of(std::ptrdiff_t plane, std::ptrdiff_t row, std::ptrdiff_t column) const {
+    const auto planes = static_cast<std::ptrdiff_t>(planes_), rows = static_cast<std::ptrdiff_t>(rows_);
+    const auto slot = (plane + planes) % planes;  // planes ahead of the first one are less than that
+    return (slot * rows + row - row_) * static_cast<std::ptrdiff_t>(pitch_ * kept_) + column - column_;
+  }
+
   /// Turns pack_width records.
-  void copy(const double* (&place)[pack_width], std::size_t numbers, double* to) const {
+  void turn(const double* (&place)[pack_width], std::size_t numbers, double* to) const {
     std::size_t k = 0;
     for (; k + pack_width <= numbers; k += pack_width) {
       Pack turned[pack_width];
@@ -115,7 +152,12 @@ class TransposedRecords {
       for (std::size_t lane = 0; lane < pack_width; ++lane) to[lane] = place[lane][m];
   }
 
-  std::size_t pitch_, kept_;
+  std::size_t planes_ = 0, rows_ = 0, columns_ = 0;  ///< of the window, with what is read around a beam
+  std::size_t pitch_ = 0;                            ///< cells of a row of it
+  std::size_t kept_ = 0;                             ///< numbers of a cell
+  const void* beam_ = nullptr;
+  std::ptrdiff_t next_plane_ = 0;        ///< behind the last one that it holds
+  std::ptrdiff_t row_ = 0, column_ = 0;  ///< its first ones
   std::vector<double> numbers_;
 };
 

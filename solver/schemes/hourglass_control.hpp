@@ -33,17 +33,17 @@ class HourglassControl {
   }
 
   /// Adds to the accelerations in the middle of a step of dt.
-  void add_forces(ReferenceNeighbours<Kernel, D>& neighbours, const Mirror<D>& mirror,
+  void add_forces(const ReferenceNeighbours<Kernel, D>& neighbours, const Mirror<D>& mirror,
                   const std::vector<ReferenceRecord<D>>& reference, const std::vector<MotionRecord<D>>& motion,
                   const Particles& particles, Vector<double, D>* acceleration, double dt) {
     const double* const mass = particles.scalars(Field::mass);
     fits_.resize(reference.size());
-    const ListedRecords<D> records{reference.data(), motion.data(), nullptr, nullptr, fits_.data()};
+    ListedRecords<D> records{reference.data(), motion.data()};
     neighbours.sweep(records, [&]<class Records>(const Records& r) {
       return FitMotion<Kernel, D, Records>{{r, reference.data()}, stiffness_.data(), fits_.data()};
     });
     mirror.fill(fits_, stiffness_.size());
-    neighbours.fill(fits_);
+    records.hourglass = fits_.data();
     neighbours.sweep(records, [&]<class Records>(const Records& r) {
       return HourglassForces<Kernel, D, Records>{{r, reference.data()}, fits_.data(), motion.data(), mass,
                                                  acceleration,          power_.data()};

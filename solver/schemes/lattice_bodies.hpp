@@ -1,6 +1,6 @@
 #pragma once
 // The bodies whose reference configuration is a lattice. Their pairs are the same for every particle, so nothing of a
-// pair is stored or computed anew.
+// pair is stored or computed anew; records are copied for the few planes that are being swept (passes/transposed.hpp).
 
 #include <algorithm>
 #include <cmath>
@@ -11,26 +11,18 @@
 #include "neighbours/lattice.hpp"
 #include "parallel/for_each_on_lattice.hpp"
 #include "parallel/ranks.hpp"
+#include "passes/copied_records.hpp"
 #include "passes/lagrangian_sums.hpp"
 
 namespace tektite {
-
-/// What the passes read beside the records that all read.
-struct LagrangianReads {
-  bool corrected;             ///< the records of shifts
-  bool hourglass;             ///< the records of the control of zero-energy modes
-  bool strain_rates = false;  ///< the records of a viscosity that reconstructs velocities
-};
 
 template <class Kernel, int D>
 class LatticeBodies {
  public:
   /// Takes the bodies that lie on a lattice, on all ranks, and have one smoothing length. `places`, `body_of` and
-  /// `owned` are those of all records in the reference configuration, images behind the particles; `read` says what
-  /// passes read.
+  /// `owned` are those of all records in the reference configuration, images behind the particles.
   void find(const Particles& particles, std::span<const Vector<double, D>> places,
-            std::span<const std::uint32_t> body_of, std::span<const std::uint8_t> owned, double support,
-            LagrangianReads read) {
+            std::span<const std::uint32_t> body_of, std::span<const std::uint8_t> owned, double support) {
     bodies_.clear();
     lists_.assign(particles.count(), 1);
     std::vector<std::vector<std::uint32_t>> members(particles.bodies().size());
@@ -47,7 +39,7 @@ class LatticeBodies {
       const auto both = [](bool& whole, bool part) { whole = whole && part; };
       if (!over_ranks(particles, lattice.has_value(), both) || members[k].empty()) continue;
       std::fill_n(lists_.begin() + static_cast<std::ptrdiff_t>(body.range.begin), body.range.size(), std::uint8_t{0});
-      bodies_.emplace_back(std::move(*lattice), h, read);
+      bodies_.emplace_back(std::move(*lattice), h);
     }
     visit([count = particles.count()](std::size_t i) { return i < count; });
   }
@@ -56,52 +48,70 @@ class LatticeBodies {
   /// One for each particle that needs a list of neighbours, zero for those on a lattice.
   const std::vector<std::uint8_t>& lists() const { return lists_; }
 
-  void fill(const std::vector<ReferenceRecord<D>>& records) {
-    for (auto& body : bodies_) body.rows.fill(body.lattice, records, 0, of_reference);
-  }
-  void fill(const std::vector<MotionRecord<D>>& records) {
-    for (auto& body : bodies_) body.rows.fill(body.lattice, records, of_reference, of_motion);
-  }
-  void fill(const std::vector<StressRecord<D>>& records) {
-    for (auto& body : bodies_) body.rows.fill(body.lattice, records, before_stress, of_stress);
-  }
-  void fill(const std::vector<ShiftRecord<D>>& records) {
-    for (auto& body : bodies_) body.rows.fill(body.lattice, records, before_shift, of_shift);
-  }
-  void fill(const std::vector<HourglassRecord<D>>& records) {
-    for (auto& body : bodies_) body.rows.fill(body.lattice, records, body.before_hourglass(), of_hourglass);
-  }
-
-  void fill(const std::vector<StrainRateRecord<D>>& records) {
-    for (auto& body : bodies_) body.rows.fill(body.lattice, records, body.before_strain_rate(), of_strain_rate);
-  }
-
   /// Leaves out where wanted(record) says no.
   template <class Wanted>
   void visit(const Wanted& wanted) {
     for (auto& body : bodies_) body.lattice.visit(wanted);
   }
 
-  /// Runs make(records) over the first `count` particles' pairs.
+  /// Runs make(records) over the first `count` particles' pairs; it reads copies of those `records` that there are, and
+  /// may write to none of them.
   template <class Make>
-  void for_each_pair(const Make& make, std::size_t count) const {
-    for (const auto& body : bodies_)
-      for_each_on_lattice<D, TransposedRecords, ReferencePair<double, D>>(
-          body.lattice, body.rows, body.pairs,
-          make(LatticeRecords<D>{body.rows.template view<ReferenceRecord<D>>(0),
-                                 body.rows.template view<MotionRecord<D>>(of_reference),
-                                 body.rows.template view<StressRecord<D>>(before_stress), body.shift(),
-                                 body.hourglass(), body.strain_rate()}),
-          count);
+  void for_each_pair(const ListedRecords<D>& records, const Make& make, std::size_t count) const {
+    for (const auto& body : bodies_) {
+      const auto work = [&](std::size_t first, std::size_t end, Window& window) {
+        sweep(body, records, make, count, first, end, window);
+      };
+      for_each_on_lattice(body.lattice, windows_, work);
+    }
   }
 
   std::size_t memory() const {
     std::size_t bytes = lists_.capacity();
-    for (const auto& body : bodies_) bytes += body.lattice.memory() + body.rows.memory();
+    for (const auto& body : bodies_) bytes += body.lattice.memory();
+    for (const auto& window : windows_) bytes += window.records.memory();
     return bytes;
   }
 
  private:
+  struct Body {
+    Lattice<D> lattice;
+    std::vector<ReferencePair<double, D>> pairs;
+
+    Body(Lattice<D> found, double h) : lattice(std::move(found)) {
+      for (const auto& neighbour : lattice.neighbours()) {
+        const KernelPair<Kernel, D> pair(broadcast(neighbour.x), Pack(h));
+        auto slope = Vector<double, D>::zero();
+        for (int k = 0; k < D; ++k) slope[k] = pair.slope[k][0];
+        pairs.push_back({neighbour.x, h, pair.value[0], slope});
+      }
+    }
+  };
+
+  /// What a thread works in.
+  struct Window {
+    TransposedWindow records;
+    std::vector<std::ptrdiff_t> ways;
+  };
+
+  /// Some layers of a body, on one thread.
+  template <class Make>
+  static void sweep(const Body& body, const ListedRecords<D>& records, const Make& make, std::size_t count,
+                    std::size_t first, std::size_t end, Window& window) {
+    auto& copies = window.records;
+    const CopiedRecords<D> copied(records);
+    copies.prepare(body.lattice, copied.numbers());
+    const auto pass = make(copied.views(copies));
+    for (auto k = first; k < end; ++k) {
+      const auto& layer = body.lattice.layers()[k];
+      copies.move_to(body.lattice, layer,
+                     [&](std::span<const std::uint32_t> cells, double* to) { copied.copy(copies, cells, to); });
+      copies.find_ways(layer.plane, body.lattice.neighbours(), window.ways);
+      gather_packs(body.lattice, layer, body.lattice.packs_of(k), copies, std::span(body.pairs),
+                   std::span<const std::ptrdiff_t>(window.ways), pass, count);
+    }
+  }
+
   /// Of a body on all ranks: the place of the particle of the least id, and the range of h.
   struct First {
     std::int64_t id = std::numeric_limits<std::int64_t>::max();
@@ -125,56 +135,9 @@ class LatticeBodies {
     return over_ranks(particles, first, First::join);
   }
 
-  // What the rows hold of each record, from its first number on: of the reference record the volume alone, since pairs
-  // know the rest; of the stress record all but J. Shifts, and behind them what hourglass control and the viscosity
-  // read, are there where passes read them.
-  static constexpr std::size_t of_reference = 1;
-  static constexpr std::size_t of_motion = sizeof(MotionRecord<D>) / sizeof(double);
-  static constexpr std::size_t before_stress = of_reference + of_motion;
-  static constexpr std::size_t of_stress = sizeof(StressRecord<D>) / sizeof(double) - 1;
-  static constexpr std::size_t before_shift = before_stress + of_stress;
-  static constexpr std::size_t of_shift = sizeof(ShiftRecord<D>) / sizeof(double);
-  static constexpr std::size_t of_hourglass = sizeof(HourglassRecord<D>) / sizeof(double);
-  static constexpr std::size_t of_strain_rate = sizeof(StrainRateRecord<D>) / sizeof(double);
-
-  struct Body {
-    Lattice<D> lattice;
-    LagrangianReads read;
-    TransposedRecords rows;
-    std::vector<LatticePair<ReferencePair<double, D>>> pairs;
-
-    Body(Lattice<D> found, double h, LagrangianReads reads)
-        : lattice(std::move(found)),
-          read(reads),
-          rows(lattice, before_strain_rate() + (read.strain_rates ? of_strain_rate : 0)) {
-      rows.template empty<StressRecord<D>>(before_stress, of_stress);
-      for (const auto& neighbour : lattice.neighbours()) {
-        const KernelPair<Kernel, D> pair(broadcast(neighbour.x), Pack(h));
-        auto slope = Vector<double, D>::zero();
-        for (int k = 0; k < D; ++k) slope[k] = pair.slope[k][0];
-        pairs.push_back({{neighbour.x, h, pair.value[0], slope}, rows.way(neighbour.rows, neighbour.columns)});
-      }
-    }
-
-    std::size_t before_hourglass() const { return before_shift + (read.corrected ? of_shift : 0); }
-    std::size_t before_strain_rate() const { return before_hourglass() + (read.hourglass ? of_hourglass : 0); }
-
-    Transposed<ShiftRecord<D>> shift() const {
-      if (!read.corrected) return {nullptr, 0};
-      return rows.template view<ShiftRecord<D>>(before_shift);
-    }
-    Transposed<HourglassRecord<D>> hourglass() const {
-      if (!read.hourglass) return {nullptr, 0};
-      return rows.template view<HourglassRecord<D>>(before_hourglass());
-    }
-    Transposed<StrainRateRecord<D>> strain_rate() const {
-      if (!read.strain_rates) return {nullptr, 0};
-      return rows.template view<StrainRateRecord<D>>(before_strain_rate());
-    }
-  };
-
   std::vector<Body> bodies_;
   std::vector<std::uint8_t> lists_;
+  mutable std::vector<Window> windows_;  ///< one for every thread, empty between sweeps
 };
 
 }  // namespace tektite

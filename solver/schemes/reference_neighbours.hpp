@@ -17,9 +17,8 @@ class ReferenceNeighbours {
   /// What the lists have to hold beside the particles that are on no lattice.
   enum class Lists { off_lattice, all };
 
-  /// Finds lattices, if `lattices` are wanted, lists, and the images of `mirror`; `read` says what passes read.
-  void find(const Particles& particles, Mirror<D>& mirror, double support, bool lattices, LagrangianReads read,
-            Lists lists) {
+  /// Finds lattices, if `lattices` are wanted, lists, and the images of `mirror`.
+  void find(const Particles& particles, Mirror<D>& mirror, double support, bool lattices, Lists lists) {
     count_ = particles.count();
     const ReferencePlaces<D> places(particles, mirror, support);
     if (lattices) {
@@ -27,7 +26,7 @@ class ReferenceNeighbours {
       std::vector<std::uint8_t> owned_records(count_);
       for (std::size_t i = 0; i < count_; ++i) owned_records[i] = owned(i) ? 1 : 0;
       mirror.repeat(owned_records);
-      lattices_.find(particles, places.x, places.body, owned_records, support, read);
+      lattices_.find(particles, places.x, places.body, owned_records, support);
     }
     if (lists == Lists::off_lattice && lattices_.any())
       pairs_ = reference_pairs<D>(places, count_, support, lattices_.lists());
@@ -57,17 +56,12 @@ class ReferenceNeighbours {
     keep_off_lattice(*off_lattice_);
   }
 
-  /// Copies records for the lattices.
-  template <class Record>
-  void fill(const std::vector<Record>& records) {
-    lattices_.fill(records);
-  }
-
-  /// Runs make(records), a pass, over all pairs.
+  /// Runs make(records), a pass, over all pairs. It may write to none of the `records`: those that it does not read are
+  /// left out.
   template <class Make>
   void sweep(const ListedRecords<D>& records, const Make& make) const {
     for_each_pair(off_lattice_ ? *off_lattice_ : pairs_, make(records));
-    lattices_.for_each_pair(make, count_);
+    lattices_.for_each_pair(records, make, count_);
   }
 
   std::size_t memory() const {

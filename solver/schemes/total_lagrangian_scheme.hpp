@@ -181,7 +181,6 @@ class TotalLagrangianScheme final : public Scheme {
     const bool all_listed = settings_.corrected || eulerian_ || rings;
     const bool controlled = settings_.hourglass_control > 0.0;
     neighbours_.find(particles_, mirror_, support(), !rings,
-                     {settings_.corrected, controlled, reconstructs(settings_.viscosity)},
                      all_listed ? Neighbours::Lists::all : Neighbours::Lists::off_lattice);
     const auto count = particles_.count(), all = count + mirror_.images();
     reference_.resize(all);
@@ -220,7 +219,6 @@ class TotalLagrangianScheme final : public Scheme {
     if (settings_.corrected)
       correction_.find(neighbours_.pairs(), mirror_, reference_, particles_.count(),
                        failed_leave() ? least_moment_of_pieces<D> : least_moment_of_reference, Owned(particles_));
-    neighbours_.fill(reference_);
   }
 
   /// Copies who is Eulerian into the records: an Eulerian particle has its volume, also where it had failed before and
@@ -246,11 +244,10 @@ class TotalLagrangianScheme final : public Scheme {
     if constexpr (D == 2) interface_.list(neighbours_.pairs(), mirror_, reference_, particles_.count());
   }
 
-  /// Runs the pass that make.operator()<corrected>(records) gives over all pairs of the reference configuration.
+  /// Runs the pass that make.operator()<corrected>(records) gives over all pairs of the reference configuration; it
+  /// reads those records.
   template <class Make>
-  void sweep(const Make& make) const {
-    const ListedRecords<D> records{reference_.data(), motion_.data(), stress_.data(),
-                                   shift_.data(),     nullptr,        strain_rates_.data()};
+  void sweep(const ListedRecords<D>& records, const Make& make) const {
     if (settings_.corrected)
       neighbours_.sweep(records, [&](const auto& r) { return make.template operator()<true>(r); });
     else
@@ -262,10 +259,7 @@ class TotalLagrangianScheme final : public Scheme {
     if (!converter_.convert(particles_, neighbours_.pairs(), mirror_, reference_, deformation_, stress_)) return;
     search_is_left_ = distributed(particles_);
     if (search_is_left_) return;  // it builds all of this anew
-    if (note_kernel_types())
-      note_volumes();
-    else
-      neighbours_.fill(reference_);
+    if (note_kernel_types()) note_volumes();
     if (contact_) contact_->note_conversion();
     drop_pairs();
     eulerian_->renew();
@@ -282,12 +276,12 @@ class TotalLagrangianScheme final : public Scheme {
                                    p.template vectors<D>(Field::acceleration), half_step, motion_.data()});
       });
       mirror_.fill(motion_, p.count());
-      neighbours_.fill(motion_);
       leave_failed_out();
     }
     {
       const auto scope = profile_.time("deformation");
-      sweep([this]<bool corrected, class Records>(const Records& records) {
+      const ListedRecords<D> read{reference_.data(), motion_.data()};
+      sweep(read, [this]<bool corrected, class Records>(const Records& records) {
         return DeformationSums<Kernel, D, corrected, Records>{{records, reference_.data(), correction_.data()},
                                                               stress_.data()};
       });
@@ -298,20 +292,16 @@ class TotalLagrangianScheme final : public Scheme {
       const auto scope = profile_.time("stress");
       materials_.for_each_run([&](const auto& run) { evaluate_stress(run, dt, advances); });
       mirror_.fill(stress_, p.count());
-      neighbours_.fill(stress_);
-      if (settings_.corrected) {
-        mirror_.fill(shift_, p.count());
-        neighbours_.fill(shift_);
-      }
-      if (reconstructs(settings_.viscosity)) {
-        mirror_.fill(strain_rates_, p.count());
-        neighbours_.fill(strain_rates_);
-      }
+      if (settings_.corrected) mirror_.fill(shift_, p.count());
+      if (reconstructs(settings_.viscosity)) mirror_.fill(strain_rates_, p.count());
     }
     const auto scope = profile_.time("forces");
+    const ListedRecords<D> read{reference_.data(), motion_.data(),
+                                stress_.data(),    settings_.corrected ? shift_.data() : nullptr,
+                                nullptr,           reconstructs(settings_.viscosity) ? strain_rates_.data() : nullptr};
     std::visit(
         [&]<class Chosen>(const Chosen& viscosity) {
-          sweep([&]<bool corrected, class Records>(const Records& records) {
+          sweep(read, [&]<bool corrected, class Records>(const Records& records) {
             return LagrangianForces<Kernel, Chosen, D, corrected, Records>{{records, reference_.data()},
                                                                            viscosity,
                                                                            stress_.data(),

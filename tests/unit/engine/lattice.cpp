@@ -71,7 +71,7 @@ class State {
     const ReferencePlaces<D> places(particles_, mirror_, support);
     pairs_ = reference_pairs(places, count, support);
     const std::vector<std::uint8_t> owned(places.x.size(), 1);
-    lattices_.find(particles_, places.x, places.body, owned, support, {true, false});
+    lattices_.find(particles_, places.x, places.body, owned, support);
     const std::size_t all = count + mirror_.images();
     reference_.resize(all);
     motion_.resize(all);
@@ -99,10 +99,6 @@ class State {
     mirror_.fill(motion_, count);
     mirror_.fill(stress_, count);
     mirror_.fill(shift_, count);
-    lattices_.fill(reference_);
-    lattices_.fill(motion_);
-    lattices_.fill(stress_);
-    lattices_.fill(shift_);
   }
 
   bool on_lattice() const { return lattices_.any(); }
@@ -111,7 +107,7 @@ class State {
   template <bool corrected>
   Outcome<D> by_lists() const {
     Outcome<D> outcome(count());
-    const ListedRecords<D> records{reference_.data(), motion_.data(), stress_.data(), shift_.data()};
+    const auto records = this->records();
     for_each_pair(pairs_, deformation<corrected>(records, outcome));
     for_each_pair(pairs_, forces<corrected>(records, outcome));
     return outcome;
@@ -119,12 +115,16 @@ class State {
   template <bool corrected>
   Outcome<D> by_lattice() const {
     Outcome<D> outcome(count());
-    lattices_.for_each_pair([&](const auto& records) { return deformation<corrected>(records, outcome); }, count());
-    lattices_.for_each_pair([&](const auto& records) { return forces<corrected>(records, outcome); }, count());
+    lattices_.for_each_pair(
+        records(), [&](const auto& copies) { return deformation<corrected>(copies, outcome); }, count());
+    lattices_.for_each_pair(
+        records(), [&](const auto& copies) { return forces<corrected>(copies, outcome); }, count());
     return outcome;
   }
 
  private:
+  ListedRecords<D> records() const { return {reference_.data(), motion_.data(), stress_.data(), shift_.data()}; }
+
   template <bool corrected, class Records>
   auto deformation(const Records& records, Outcome<D>& to) const {
     return DeformationSums<CubicSpline, D, corrected, Records>{{records, reference_.data(), corrections_.data()},
