@@ -123,7 +123,7 @@ std::optional<Lattice<D>> Lattice<D>::find(std::span<const Vector<double, D>> pl
   }
 
   // Beams of much the same size, that begin where a pack of records does.
-  const auto parts = [](std::size_t whole, std::size_t most) { return (whole + most - 1) / most; };
+  const auto parts = [](std::size_t count, std::size_t most) { return (count + most - 1) / most; };
   const auto columns = static_cast<std::size_t>(std::max(extent[axes[0]], wide));
   const auto plane_rows = static_cast<std::size_t>(D == 3 ? extent[axes[1]] : 1);
   const auto across = parts(plane_rows, rows_of_beam), along = parts(columns, columns_of_beam);
