@@ -135,7 +135,7 @@ void Neighbourhood<D>::list() {
   auto body = body_of_each(particles_);
   mirror_.repeat(body);
   const auto build = [&](const std::vector<std::uint8_t>& listed) {
-    pairs_.build<D>(grid, places_, particles_.count(), reach_, search_.pairing, body, listed);
+    pairs_.build<D>(grid, places_, particles_.count(), {support_, reach_}, search_.pairing, body, listed);
   };
   if (search_.listed == Listed::all) {
     build({});

@@ -36,7 +36,8 @@ struct Candidates {
   std::vector<std::uint32_t> index;
   std::vector<std::uint32_t> body;
   std::vector<double> x[D];
-  std::vector<std::uint8_t> mark;
+  std::vector<double> square;
+  std::vector<std::uint8_t> other, mark;
 
   void gather(const CellGrid<D>& grid, const Places<D>& places, std::size_t centre) {
     const auto cells = grid.around(centre);
@@ -45,6 +46,8 @@ struct Candidates {
     const std::size_t filled = (count + compress_width - 1) / compress_width * compress_width;
     index.resize(filled);
     body.resize(filled);
+    square.resize(filled);
+    other.resize(filled);
     mark.resize(filled);
     for (auto& coordinate : x) coordinate.resize(filled);
     std::size_t n = 0;
@@ -62,31 +65,39 @@ struct Candidates {
       for (auto& coordinate : x) coordinate[n] = std::numeric_limits<double>::infinity();
   }
 
-  /// Marks those nearer than `reach`, but not `self`, that are paired with a particle of the body `own`.
+  /// Finds how far each is from this place, and who may be paired with a particle of the body `own`.
   template <Pairing pairing>
-  void mark_near(const Vector<double, D>& place, double reach, std::uint32_t self, std::uint32_t own) {
+  void measure(const Vector<double, D>& place, std::uint32_t self, std::uint32_t own) {
     const std::size_t count = index.size();
-    const double reach_squared = reach * reach;
     for (std::size_t n = 0; n < count; ++n) {
-      double square = 0.0;
+      double sum = 0.0;
       for (int k = 0; k < D; ++k) {
         const double d = x[k][n] - place[k];
-        square += d * d;
+        sum += d * d;
       }
-      mark[n] = square < reach_squared ? 1 : 0;
+      square[n] = sum;
     }
-    for (std::size_t n = 0; n < count; ++n) mark[n] &= index[n] != self ? 1 : 0;
+    for (std::size_t n = 0; n < count; ++n) other[n] = index[n] != self ? 1 : 0;
     if constexpr (pairing != Pairing::all)
       for (std::size_t n = 0; n < count; ++n)
-        mark[n] &= (body[n] == own) == (pairing == Pairing::within_bodies) ? 1 : 0;
+        other[n] &= (body[n] == own) == (pairing == Pairing::within_bodies) ? 1 : 0;
+  }
+
+  /// Copies those of them to `out` that are at least so far away and nearer than that; says how many.
+  std::size_t take(double least, double most, std::span<std::uint32_t> out) {
+    const std::size_t count = index.size();
+    const double from = least * least, to = most * most;
+    for (std::size_t n = 0; n < count; ++n)
+      mark[n] = static_cast<std::uint8_t>((square[n] >= from ? 1 : 0) & (square[n] < to ? 1 : 0) & other[n]);
+    return compress(index, mark, out);
   }
 };
 
 template <int D, Pairing pairing>
 void build_block(PairList::Block& block, std::size_t end, const CellGrid<D>& grid,
-                 std::span<const Vector<double, D>> positions, const Places<D>& places, double reach,
+                 std::span<const Vector<double, D>> positions, const Places<D>& places, const Reach& reach,
                  std::span<const std::uint32_t> body, std::span<const std::uint8_t> listed) {
-  Candidates<D> near;
+  Candidates<D> candidates;
   std::size_t last_cell = grid.cells();
   std::vector<std::uint32_t> neighbours;  // with room to spare, which the block does not keep
   std::size_t found = 0;
@@ -97,13 +108,15 @@ void build_block(PairList::Block& block, std::size_t end, const CellGrid<D>& gri
       continue;
     }
     if (const auto cell = grid.cell_of(positions[i]); cell != last_cell) {
-      near.gather(grid, places, cell);
+      candidates.gather(grid, places, cell);
       last_cell = cell;
     }
-    near.template mark_near<pairing>(positions[i], reach, static_cast<std::uint32_t>(i), body[i]);
-    const std::size_t room = found + near.index.size() + pack_width;
+    candidates.template measure<pairing>(positions[i], static_cast<std::uint32_t>(i), body[i]);
+    const std::size_t room = found + candidates.index.size() + compress_width;
     if (neighbours.size() < room) neighbours.resize(2 * room);
-    found += compress(near.index, near.mark, std::span(neighbours).subspan(found));
+    found += candidates.take(0.0, reach.support, std::span(neighbours).subspan(found));
+    if (reach.all > reach.support)
+      found += candidates.take(reach.support, reach.all, std::span(neighbours).subspan(found));
     while (found % pack_width != 0) neighbours[found++] = static_cast<std::uint32_t>(i);
     block.first.push_back(static_cast<std::uint32_t>(found));
   }
@@ -115,7 +128,7 @@ void build_block(PairList::Block& block, std::size_t end, const CellGrid<D>& gri
 
 template <int D>
 void PairList::build(const CellGrid<D>& grid, std::span<const Vector<double, D>> positions, std::size_t count,
-                     double reach, Pairing pairing, std::span<const std::uint32_t> body,
+                     const Reach& reach, Pairing pairing, std::span<const std::uint32_t> body,
                      std::span<const std::uint8_t> listed) {
   const Places<D> places(grid, positions, body);
   blocks_.resize((count + block_size - 1) / block_size);
@@ -144,11 +157,11 @@ std::size_t PairList::memory() const {
   return bytes;
 }
 
-template void PairList::build<1>(const CellGrid<1>&, std::span<const Vector<double, 1>>, std::size_t, double, Pairing,
-                                 std::span<const std::uint32_t>, std::span<const std::uint8_t>);
-template void PairList::build<2>(const CellGrid<2>&, std::span<const Vector<double, 2>>, std::size_t, double, Pairing,
-                                 std::span<const std::uint32_t>, std::span<const std::uint8_t>);
-template void PairList::build<3>(const CellGrid<3>&, std::span<const Vector<double, 3>>, std::size_t, double, Pairing,
-                                 std::span<const std::uint32_t>, std::span<const std::uint8_t>);
+template void PairList::build<1>(const CellGrid<1>&, std::span<const Vector<double, 1>>, std::size_t, const Reach&,
+                                 Pairing, std::span<const std::uint32_t>, std::span<const std::uint8_t>);
+template void PairList::build<2>(const CellGrid<2>&, std::span<const Vector<double, 2>>, std::size_t, const Reach&,
+                                 Pairing, std::span<const std::uint32_t>, std::span<const std::uint8_t>);
+template void PairList::build<3>(const CellGrid<3>&, std::span<const Vector<double, 3>>, std::size_t, const Reach&,
+                                 Pairing, std::span<const std::uint32_t>, std::span<const std::uint8_t>);
 
 }  // namespace tektite

@@ -1,6 +1,7 @@
 #pragma once
-// Who is near whom. Neighbours stand in the order of the cells and, within a cell, of their indices, so the list
-// follows from the positions alone; each list is filled up with the particle itself to a whole number of packs.
+// Who is near whom. First stand those within the support, then those of the skin, who make whole packs of which a sum
+// sees at once that none is near; both in the order of the cells and, within a cell, of their indices. So the list
+// follows from the positions alone; it is filled up with the particle itself to a whole number of packs.
 
 #include <algorithm>
 #include <cstdint>
@@ -17,6 +18,14 @@ namespace tektite {
 /// Which particles are paired.
 enum class Pairing { all, within_bodies, across_bodies };
 
+/// How far neighbours are, m: within the support, and with a skin.
+struct Reach {
+  double support, all;
+
+  Reach(double support_and_all) : Reach(support_and_all, support_and_all) {}
+  Reach(double within_support, double with_skin) : support(within_support), all(with_skin) {}
+};
+
 class PairList {
  public:
   /// A run of particles that one thread takes at a time.
@@ -26,12 +35,13 @@ class PairList {
     std::vector<std::uint32_t> neighbours;
   };
 
-  /// Lists, for the first `count` of the positions, the others nearer than `reach` that they are paired with; the rest
-  /// are images. `body` says whose each position is; those of which `listed` says zero get an empty list, none where it
+  /// Lists, for the first `count` of the positions, the others within `reach` that they are paired with; the rest are
+  /// images. `body` says whose each position is; those of which `listed` says zero get an empty list, none where it
   /// is empty.
   template <int D>
-  void build(const CellGrid<D>& grid, std::span<const Vector<double, D>> positions, std::size_t count, double reach,
-             Pairing pairing, std::span<const std::uint32_t> body, std::span<const std::uint8_t> listed = {});
+  void build(const CellGrid<D>& grid, std::span<const Vector<double, D>> positions, std::size_t count,
+             const Reach& reach, Pairing pairing, std::span<const std::uint32_t> body,
+             std::span<const std::uint8_t> listed = {});
 
   /// Empties the list of every particle i of which wanted(i, neighbours) says no.
   template <class Wanted>
