@@ -17,15 +17,20 @@ template <class Pass>
     const std::size_t i = block.begin + k;
     const auto self = pass.begin(i);
     typename Pass::Sums sums;
-    for (std::size_t n = block.first[k]; n < block.first[k + 1]; n += pack_width)
-      pass.add(self, block.neighbours.data() + n, sums);
+    for (std::size_t n = block.first[k]; n < block.first[k + 1]; n += pack_width) {
+      const auto* const j = block.neighbours.data() + n;
+      if constexpr (requires { pass.far(self, j); })
+        if (pass.far(self, j)) continue;
+      pass.add(self, j, sums);
+    }
     pass.end(i, sums);
   }
 }
 
 /// For every particle: pass.begin(i) gives what it is and its empty sums, pass.add(self, j, sums) takes pack_width
-/// neighbours, pass.end(i, sums) writes. The last pack of a list is filled up with i itself, which is at distance zero
-/// and so adds nothing to any sum over gradients.
+/// neighbours, pass.end(i, sums) writes. Packs of which pass.far(self, j) says yes, where a pass has that, are left
+/// out. The last pack of a list is filled up with i itself, which is at distance zero and so adds nothing to any sum
+/// over gradients.
 template <class Pass>
 void for_each_pair(const PairList& list, const Pass& pass) {
   for_each_uneven(list.blocks().size(), [&](std::size_t b) { gather_block(list.blocks()[b], pass); });

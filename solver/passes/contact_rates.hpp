@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "passes/godunov_records.hpp"
+#include "passes/kernel_pair.hpp"
 
 namespace tektite {
 
@@ -56,6 +57,12 @@ struct ContactRates {
     return a;
   }
 
+  /// Whether no neighbour in j is within the support. Lists end with packs that hold the skin alone.
+  bool far(const Self& a, const std::uint32_t* j) const {
+    return beyond_support<Kernel>(a.x - gathered(records, j, &Record::x),
+                                  smoothing.of_pair(a.h, gathered(records, j, &Record::smoothing_length)));
+  }
+
   void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
     const auto other = gather_records<2 * D + Record::stresses + 5>(records, j);
     const Pack* const b = other.number;
@@ -67,7 +74,6 @@ struct ContactRates {
       v[k] = b[D + k] - a.v[k];
     }
     const PairAxis<Kernel, D> pair(x, smoothing.inverse_of(smoothing.of_pair(a.h, rest[3])));
-    if (pair.far()) return;
     Vector<Pack, D> own, others;  // tractions
     for (int i = 0; i < D; ++i) {
       own[i] = a.stress[Record::index(i, 0)] * pair.e[0];

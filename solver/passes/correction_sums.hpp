@@ -40,6 +40,12 @@ struct CorrectionSums {
     return {i, broadcast(r.x), r.smoothing_length};
   }
 
+  /// Whether no neighbour in j is within the support. Lists end with packs that hold the skin alone.
+  bool far(const Self& a, const std::uint32_t* j) const {
+    const Pack h = Pack(0.5) * (a.h + gathered(records, j, &Record::smoothing_length));
+    return beyond_support<Kernel>(a.x - gathered(records, j, &Record::x), h, is_other(a.i, j));
+  }
+
   void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
     const auto x = a.x - gathered(records, j, &Record::x);
     const KernelPair<Kernel, D> pair(x, Pack(0.5) * (a.h + gathered(records, j, &Record::smoothing_length)));

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "passes/godunov_records.hpp"
+#include "passes/kernel_pair.hpp"
 #include "passes/pair_gradients.hpp"
 
 namespace tektite {
@@ -54,6 +55,12 @@ struct DeviatoricRates {
     return a;
   }
 
+  /// Whether no neighbour in j is within the support. Lists end with packs that hold the skin alone.
+  bool far(const Self& a, const std::uint32_t* j) const {
+    return beyond_support<Kernel>(a.x - gathered(records, j, &Record::x),
+                                  smoothing.of_pair(a.h, gathered(records, j, &Record::smoothing_length)));
+  }
+
   void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
     const auto other = gather_records<2 * D + Record::stresses + 4>(records, j);
     const Pack* const b = other.number;
@@ -81,7 +88,6 @@ struct DeviatoricRates {
       }
     } else {
       const PairAxis<Kernel, D> pair(x, smoothing.inverse_of(h));
-      if (pair.far()) return;
       const Pack weight = rest[0] * pair.slope;
       for (int k = 0; k < D; ++k) gradient[k] = weight * pair.e[k];
       Pack stress[Record::stresses];

@@ -6,6 +6,7 @@
 #include "core/tensor.hpp"
 #include "passes/eulerian_record.hpp"
 #include "passes/gathered.hpp"
+#include "passes/kernel_pair.hpp"
 #include "passes/strain_rate_record.hpp"
 
 namespace tektite {
@@ -55,6 +56,12 @@ struct EulerianRates {
     return a;
   }
 
+  /// Whether no neighbour in j is within the support. Lists end with packs that hold the skin alone.
+  bool far(const Self& a, const std::uint32_t* j) const {
+    return beyond_support<Kernel>(a.x - gathered(records, j, &Record::x),
+                                  smoothing.of_pair(a.h, gathered(records, j, &Record::smoothing_length)));
+  }
+
   void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
     const auto other = gather_records<2 * D + Record::stresses + 4>(records, j);
     const Pack* const b = other.number;
@@ -75,8 +82,6 @@ struct EulerianRates {
     const Pack r_squared = dot(x, x);
     using std::experimental::sqrt;
     const Pack q = sqrt(r_squared) * one_over_h;
-    // Of a list's packs some hold the skin alone: they add zeros, bit for bit.
-    if (none_of(q < Pack(Kernel::support))) return;
     Pack scale = one_over_h * one_over_h;
     for (int k = 0; k < D; ++k) scale *= one_over_h;
     const Pack slope = select(q < Pack(Kernel::support),

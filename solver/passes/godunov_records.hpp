@@ -101,9 +101,6 @@ struct PairAxis {
     slope = select(q < Pack(Kernel::support), scale * Kernel::slope(q), Pack(0.0));
     slope = select(distance > Pack(0.0), slope, Pack(0.0));
   }
-
-  /// Whether none is within the support. Of a list's packs some hold the skin alone: they add zeros, bit for bit.
-  bool far() const { return all_of(slope == Pack(0.0)); }
 };
 
 }  // namespace tektite

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "passes/godunov_records.hpp"
+#include "passes/kernel_pair.hpp"
 #include "passes/pair_gradients.hpp"
 #include "physics/riemann/wave.hpp"
 
@@ -88,6 +89,12 @@ struct HydrodynamicRates {
     return a;
   }
 
+  /// Whether no neighbour in j is within the support. Lists end with packs that hold the skin alone.
+  bool far(const Self& a, const std::uint32_t* j) const {
+    return beyond_support<Kernel>(a.x - gathered(records, j, &Record::x),
+                                  smoothing.of_pair(a.h, gathered(records, j, &Record::smoothing_length)));
+  }
+
   void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
     const auto other = gather_records<numbers>(records, j);
     const Pack* const b = other.number;
@@ -99,7 +106,6 @@ struct HydrodynamicRates {
     }
     const Pack h = smoothing.of_pair(a.h, rest[6]);
     const PairAxis<Kernel, D> pair(x, smoothing.inverse_of(h));
-    if (!Gradients::corrected && pair.far()) return;
     const Pack closing = dot(v, pair.e);
     RiemannSide<Pack> right{a.pressure, Pack(0.0), a.density, a.sound_speed, a.shock_slope, a.inverse_slope};
     RiemannSide<Pack> left{rest[1], closing, rest[0], rest[2], rest[3], rest[4]};

@@ -26,6 +26,20 @@ struct KernelPair {
   }
 };
 
+/// Whether all lanes of `other` that hold are beyond the support of this h, by more than rounding: a pair then adds
+/// zeros to all sums, bit for bit.
+template <class Kernel, int D>
+bool beyond_support(const Vector<Pack, D>& x, const Pack& h, const Pack::mask_type& other) {
+  constexpr double beyond_rounding = 1.0 + 1e-9;
+  const Pack reach = Pack(beyond_rounding * Kernel::support) * h;
+  return none_of(other && dot(x, x) < reach * reach);
+}
+/// The same of all who are not in the particle's own place.
+template <class Kernel, int D>
+bool beyond_support(const Vector<Pack, D>& x, const Pack& h) {
+  return beyond_support<Kernel>(x, h, dot(x, x) > Pack(0.0));
+}
+
 /// W at a distance, without a place.
 template <class Kernel, int D>
 Pack kernel_at(const Pack& distance, const Pack& h) {

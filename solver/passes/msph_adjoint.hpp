@@ -21,6 +21,7 @@ struct MsphAdjoint {
     Vector<Pack, D> f = Vector<Pack, D>::zero();
   };
   Self begin(std::size_t i) const { return gather.self(i); }
+  bool far(const Self& a, const std::uint32_t* j) const { return gather.far(a, j); }
 
   void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
     const auto& own = gather.records[a.i];

@@ -51,6 +51,15 @@ struct MsphGather {
     p.volume = select(near, read(j, [](const auto& r) -> const double& { return r.volume; }), Pack(0.0));
     return p;
   }
+  /// Whether no neighbour in j is within the support of the larger smoothing length of both. Lists end with packs that
+  /// hold the skin alone.
+  bool far(const MsphSelf<D>& a, const std::uint32_t* j) const {
+    Vector<Pack, D> x;
+    for (int k = 0; k < D; ++k) x[k] = read(j, [k](const auto& r) -> const double& { return r.x[k]; }) - a.x[k];
+    const Pack own(records[a.i].smoothing_length);
+    const Pack other = read(j, [](const auto& r) -> const double& { return r.smoothing_length; });
+    return beyond_support<TruncatedGaussian>(x, larger(own, other), is_other(a.i, j));
+  }
   Pack mass(const std::uint32_t* j) const {
     return read(j, [](const auto& r) -> const double& { return r.volume; }) *
            read(j, [](const auto& r) -> const double& { return r.density; });
@@ -86,6 +95,7 @@ struct MsphMoments {
   };
 
   Self begin(std::size_t i) const { return gather.self(i); }
+  bool far(const Self& a, const std::uint32_t* j) const { return gather.far(a, j); }
 
   void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
     using std::experimental::sqrt;
@@ -163,6 +173,7 @@ struct MsphDivergence {
     Pack radial = 0.0;
   };
   Self begin(std::size_t i) const { return gather.self(i); }
+  bool far(const Self& a, const std::uint32_t* j) const { return gather.far(a, j); }
   void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
     const auto& own = gather.records[a.i];
     const MsphShape<Weights, D> psi(coefficients[a.i], own.volume, gather.pair(a, j), a.over_h);
@@ -196,6 +207,7 @@ struct MsphVelocity {
     Vector<Pack, D> v = Vector<Pack, D>::zero();
   };
   Self begin(std::size_t i) const { return gather.self(i); }
+  bool far(const Self& a, const std::uint32_t* j) const { return gather.far(a, j); }
   void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
     const auto& own = gather.records[a.i];
     const MsphShape<Weights, D> psi(coefficients[a.i], own.volume, gather.pair(a, j), a.over_h);
@@ -241,6 +253,7 @@ struct SmoothVelocity {
     Pack energy = 0.0;
   };
   Self begin(std::size_t i) const { return gather.self(i); }
+  bool far(const Self& a, const std::uint32_t* j) const { return gather.far(a, j); }
   void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
     const auto& own = gather.records[a.i];
     const auto p = gather.pair(a, j);
@@ -278,6 +291,7 @@ struct SmoothDensity {
     Pack change = 0.0, weight = 0.0;
   };
   Self begin(std::size_t i) const { return gather.self(i); }
+  bool far(const Self& a, const std::uint32_t* j) const { return gather.far(a, j); }
   void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
     using std::experimental::sqrt;
     const auto p = gather.pair(a, j);
