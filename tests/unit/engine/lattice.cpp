@@ -2,6 +2,7 @@
 #include "neighbours/lattice.hpp"
 
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>
@@ -21,21 +22,38 @@ namespace {
 constexpr double spacing = 0.5, ratio = 1.3;
 constexpr double support = 2.0 * ratio * spacing;
 
-/// A round body of lattice points, a few of them missing, and some that lie beside symmetry planes.
+/// What a body fills of the lattice points: so many on either side of the origin, the farthest of them within a ball or
+/// all in a box.
 template <int D>
-Particles round_body() {
-  constexpr int half = D == 3 ? 4 : 9;
+struct Shape {
+  std::array<int, D> half;
+  bool round;
+};
+template <int D>
+Shape<D> ball() {
+  Shape<D> shape{{}, true};
+  shape.half.fill(D == 3 ? 4 : 9);
+  return shape;
+}
+
+/// A body of lattice points, a few of them missing, and some that lie beside symmetry planes.
+template <int D>
+Particles body_of(const Shape<D>& shape) {
   constexpr Space space = D == 1 ? Space::line : D == 2 ? Space::plane_strain : Space::solid;
   std::vector<Vector<double, D>> places;
   int cells = 1;
-  for (int k = 0; k < D; ++k) cells *= 2 * half;
+  for (const int half : shape.half) cells *= 2 * half;
   for (int n = 0, rest; n < cells; ++n) {
     rest = n;
     Vector<double, D> x;
-    for (int k = 0; k < D; ++k, rest /= 2 * half) x[k] = spacing * (rest % (2 * half) - half + 0.5);
-    if (norm(x) < half * spacing && n % 17 != 3) places.push_back(x);
+    for (int k = 0; k < D; ++k) {
+      const int half = shape.half[static_cast<std::size_t>(k)];
+      x[k] = spacing * (rest % (2 * half) - half + 0.5);
+      rest /= 2 * half;
+    }
+    if ((!shape.round || norm(x) < shape.half[0] * spacing) && n % 17 != 3) places.push_back(x);
   }
-  Particles particles(space, {{"ball", "rubber", spacing, {0, places.size()}}});
+  Particles particles(space, {{"body", "rubber", spacing, {0, places.size()}}});
   for (const auto field : {Field::id, Field::reference_position, Field::smoothing_length}) particles.allocate(field);
   for (std::size_t i = 0; i < places.size(); ++i) {
     particles.template vectors<D>(Field::reference_position)[i] = places[i];
@@ -65,8 +83,8 @@ struct Outcome {
 template <int D>
 class State {
  public:
-  explicit State(std::vector<SymmetryPlane> planes)
-      : particles_(round_body<D>()), mirror_(std::move(planes)), mass_(particles_.count(), 1.0) {
+  State(const Shape<D>& shape, std::vector<SymmetryPlane> planes)
+      : particles_(body_of(shape)), mirror_(std::move(planes)), mass_(particles_.count(), 1.0) {
     const auto count = particles_.count();
     const ReferencePlaces<D> places(particles_, mirror_, support);
     pairs_ = reference_pairs(places, count, support);
@@ -169,9 +187,9 @@ void check_same(const Outcome<D>& a, const Outcome<D>& b, std::size_t count) {
 }
 
 template <int D>
-void check(std::vector<SymmetryPlane> planes) {
-  INFO(D << " dimensions, " << planes.size() << " symmetry planes");
-  const State<D> state(std::move(planes));
+void check(const Shape<D>& shape, std::vector<SymmetryPlane> planes = {}) {
+  INFO(D << " dimensions, " << planes.size() << " symmetry planes, " << (shape.round ? "a ball" : "a box"));
+  const State<D> state(shape, std::move(planes));
   REQUIRE(state.on_lattice());
   check_same(state.template by_lattice<false>(), state.template by_lists<false>(), state.count());
   check_same(state.template by_lattice<true>(), state.template by_lists<true>(), state.count());
@@ -196,11 +214,20 @@ Places square(double turned) {
 }  // namespace
 
 TEST_CASE("Lattice: its sums are those over lists, with holes, failed neighbours and symmetry planes", "[lattice]") {
-  check<1>({});
-  check<2>({});
-  check<3>({});
-  check<2>({{1, -4.5}});
-  check<3>({{0, -2.0}, {2, -2.0}});
+  check(ball<1>());
+  check(ball<2>());
+  check(ball<3>());
+  check(ball<2>(), {{1, -4.5}});
+  check(ball<3>(), {{0, -2.0}, {2, -2.0}});
+}
+
+TEST_CASE("Lattice: a body of several beams has the sums of lists, whichever axis is its longest", "[lattice]") {
+  check(Shape<1>{{300}, false});
+  check(Shape<2>{{270, 5}, false});
+  check(Shape<2>{{5, 270}, false});
+  check(Shape<3>{{70, 9, 10}, false});
+  check(Shape<3>{{3, 10, 70}, false});
+  check(Shape<3>{{9, 70, 2}, false}, {{0, -4.5}});
 }
 
 TEST_CASE("Lattice: what does not lie on one is not taken for one", "[lattice]") {
