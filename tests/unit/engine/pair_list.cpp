@@ -42,9 +42,9 @@ Places<D> lattice_places(int side) {
 }
 
 template <int D>
-PairList listed(const Places<D>& places, std::size_t count, double reach) {
+PairList listed(const Places<D>& places, std::size_t count, const Reach& reach) {
   CellGrid<D> grid;
-  grid.build(places, reach);
+  grid.build(places, reach.all);
   PairList list;
   const std::vector<std::uint32_t> body(places.size(), 0);
   list.build<D>(grid, places, count, reach, Pairing::all, body);
@@ -108,6 +108,22 @@ TEST_CASE("Neighbours: on lattices the list is that of all pairs", "[neighbours]
   check_against_all_pairs<1>(lattice_places<1>(600), 600, 2.8);
   check_against_all_pairs<2>(lattice_places<2>(25), 625, 2.8);
   check_against_all_pairs<3>(lattice_places<3>(9), 729, 2.8);
+}
+
+TEST_CASE("Neighbours: those within the support come first, those of the skin behind them", "[neighbours]") {
+  const auto places = random_places<2>(900, 20.0, 2);
+  const auto all = listed<2>(places, 900, 1.3), parted = listed<2>(places, 900, {1.0, 1.3});
+  for (std::uint32_t i = 0; i < places.size(); ++i) {
+    auto expected = row(all, i);
+    std::erase(expected, i);
+    std::ranges::stable_partition(expected, [&](auto j) {
+      const auto x = places[i] - places[j];
+      return dot(x, x) < 1.0;
+    });
+    auto found = row(parted, i);
+    std::erase(found, i);
+    REQUIRE(found == expected);
+  }
 }
 
 TEST_CASE("Neighbours: a handful of particles within one cell find each other", "[neighbours]") {
