@@ -52,20 +52,18 @@ class TransposedWindow {
   /// Room for any beam of this lattice, with `kept` numbers a cell; empty at first.
   template <int D>
   void prepare(const Lattice<D>& lattice, std::size_t kept) {
-    rows_ = columns_ = 0;
+    std::size_t rows = 0, columns = 0;
     for (const auto& beam : lattice.beams()) {
-      rows_ = std::max(rows_, beam.rows);
-      columns_ = std::max(columns_, beam.columns);
+      rows = std::max(rows, beam.rows);
+      columns = std::max(columns, beam.columns);
     }
-    rows_ += 2 * lattice.row_margin();
-    pitch_ = (columns_ + 2 * lattice.margin() + pack_width - 1) / pack_width * pack_width;
+    rows_ = rows + 2 * lattice.row_margin();
+    pitch_ = (columns + 2 * lattice.margin() + pack_width - 1) / pack_width * pack_width;
     planes_ = 2 * lattice.plane_margin() + 1;
     kept_ = kept;
     beam_ = nullptr;
     if (const auto numbers = planes_ * rows_ * kept_ * pitch_; numbers_.size() < numbers) numbers_.resize(numbers);
   }
-  /// Numbers of a cell that there is room for.
-  std::size_t kept() const { return kept_; }
 
   /// Holds all that a pass reads for a layer: copy(cells, to) has the records `cells` of a row copied, as copy() below
   /// does, for each row that was not there.
@@ -104,8 +102,8 @@ class TransposedWindow {
                      place_of(here, row_, column_));
   }
 
-  /// Copies the first `numbers` numbers of the records `cells` of a row behind the cells' first `from` numbers; where
-  /// there is nobody, those of an empty record.
+  /// Copies the first `numbers` numbers of the records `cells` of a row; `to` is where the first number of the first
+  /// cell stands. Where there is nobody, those of an empty record.
   template <class Record>
   void copy(std::span<const std::uint32_t> cells, const Record* records, std::size_t numbers, double* to) const {
     static const Record nobody{};
@@ -163,9 +161,9 @@ class TransposedWindow {
       for (std::size_t lane = 0; lane < pack_width; ++lane) to[lane] = place[lane][m];
   }
 
-  std::size_t planes_ = 0, rows_ = 0, columns_ = 0;  ///< of the window, with what is read around a beam
-  std::size_t pitch_ = 0;                            ///< cells of a row of it
-  std::size_t kept_ = 0;                             ///< numbers of a cell
+  std::size_t planes_ = 0, rows_ = 0;  ///< of the window, with what is read around a beam
+  std::size_t pitch_ = 0;              ///< cells of a row of it
+  std::size_t kept_ = 0;               ///< numbers of a cell
   const void* beam_ = nullptr;
   std::ptrdiff_t next_plane_ = 0;        ///< behind the last one that it holds
   std::ptrdiff_t row_ = 0, column_ = 0;  ///< its first ones
