@@ -2,6 +2,7 @@
 
 #include "core/tensor.hpp"
 #include "passes/across.hpp"
+#include "passes/godunov_heat.hpp"
 #include "passes/godunov_records.hpp"
 #include "passes/membrane.hpp"
 
@@ -84,24 +85,18 @@ struct AssembleHydrodynamic {
 };
 
 /// Velocity, energy and place at the end of the step: eq. 21, 31 and 34; the place moves with the velocity v + c Δv.
-/// Where `contact` is given, Δv is by both, and the work of the force between bodies, which is not of the pairs, does
-/// not heat.
 template <int D>
 struct AdvanceGodunov {
-  const Vector<double, D>* acceleration;  ///< by the pairs
-  const Vector<double, D>* contact;       ///< by the force between bodies; may be null
-  const double* power;
-  double step;
-  double centring;  ///< c
+  GodunovHeat<D> heat;
   Vector<double, D>* position;
   Vector<double, D>* velocity;
   double* energy;
 
   void operator()(std::size_t i) const {
-    const auto change = step * (contact ? acceleration[i] + contact[i] : acceleration[i]);
-    position[i] += step * (velocity[i] + centring * change);
+    const auto change = heat.change(i);
+    position[i] += heat.step * (velocity[i] + heat.centring * change);
     velocity[i] += change;
-    energy[i] += step * (power[i] - 0.5 * dot(change, acceleration[i]));
+    energy[i] += heat.step * heat(i);
   }
 };
 

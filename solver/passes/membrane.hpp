@@ -5,6 +5,7 @@
 
 #include "core/tensor_algebra.hpp"
 #include "passes/across.hpp"
+#include "passes/godunov_heat.hpp"
 
 namespace tektite {
 
@@ -20,14 +21,11 @@ double membrane(const double* thickness, std::size_t i) {
 /// Before the stretch across the plane is sought: the area grows as the contacts have it, and what a pair sum makes of
 /// the power beyond that of the stress, σ:L, heats as a viscosity would.
 struct GrowArea {
-  const Vector<double, 2>* acceleration;  ///< by the pairs
-  const Vector<double, 2>* contact;       ///< by the force between bodies; may be null
-  const double* power;                    ///< of the pair sums, W/kg
-  const double* divergence;               ///< tr L* of the contacts, 1/s
+  GodunovHeat<2> heat;
+  const double* divergence;  ///< tr L* of the contacts, 1/s
   const Symmetric<double, 2>* deviatoric_stress;
   const double* pressure;
   const double* density;
-  double step;
   Tensor<double, 2>* velocity_gradient;  ///< gets the trace tr L*
   double* viscous_power;                 ///< W/kg
 
@@ -35,10 +33,8 @@ struct GrowArea {
     auto& l = velocity_gradient[i];
     const double missing = 0.5 * (divergence[i] - trace(l));
     for (int k = 0; k < 2; ++k) l(k, k) += missing;
-    const auto whole = contact ? acceleration[i] + contact[i] : acceleration[i];
-    const double heat = power[i] - 0.5 * step * dot(whole, acceleration[i]);
     const double work = contract(deviatoric_stress[i], symmetric_part(l)) - pressure[i] * trace(l);
-    viscous_power[i] = heat - work / density[i];
+    viscous_power[i] = heat(i) - work / density[i];
   }
 };
 

@@ -118,8 +118,7 @@ class GodunovScheme : public Scheme {
       if (dt > 0.0) stretch_across(run, dt);
     }
     run_through(run.range,
-                AdvanceGodunov<D>{p.template vectors<D>(Field::acceleration), contact_acceleration(), power_.data(), dt,
-                                  centring(), p.template vectors<D>(Field::position),
+                AdvanceGodunov<D>{heat(dt), p.template vectors<D>(Field::position),
                                   p.template vectors<D>(Field::velocity), p.scalars(Field::specific_internal_energy)});
     run_through(run.range,
                 AdvanceDensity<plane_stress>{divergence_.data(), across_rate(), dt, p.scalars(Field::density)});
@@ -127,16 +126,18 @@ class GodunovScheme : public Scheme {
 
   void stretch_across(const Run& run, double dt) requires plane_stress {
     auto& p = particles_;
-    run_through(run.range, GrowArea{p.template vectors<D>(Field::acceleration), contact_acceleration(), power_.data(),
-                                    divergence_.data(), p.template symmetrics<D>(Field::deviatoric_stress),
-                                    p.scalars(Field::pressure), p.scalars(Field::density), dt,
+    run_through(run.range, GrowArea{heat(dt), divergence_.data(), p.template symmetrics<D>(Field::deviatoric_stress),
+                                    p.scalars(Field::pressure), p.scalars(Field::density),
                                     p.template tensors<D>(Field::velocity_gradient), p.scalars(Field::viscous_power)});
     materials_.stretch_across(run, dt);
     run_through(run.range, AdvanceThickness{p.scalars(Field::across_rate), dt, p.scalars(Field::thickness)});
   }
 
   const double* across_rate() const { return plane_stress ? particles_.scalars(Field::across_rate) : nullptr; }
-  const Vector<double, D>* contact_acceleration() const { return contact_ ? contact_acceleration_.data() : nullptr; }
+  GodunovHeat<D> heat(double dt) const {
+    return {particles_.template vectors<D>(Field::acceleration), contact_ ? contact_acceleration_.data() : nullptr,
+            power_.data(), dt, centring()};
+  }
   const double* thickness() const { return plane_stress ? particles_.scalars(Field::thickness) : nullptr; }
 
   /// Brings the places in the records up to date: that is what tells of contact.
