@@ -45,6 +45,7 @@ void write_vtu(vtkUnstructuredGrid* grid, const std::string& path) {
     writer->EncodeAppendedDataOff();
     writer->SetCompressorTypeToLZ4();  // a twentieth of zlib's time for a fifth more bytes
     const auto silence = vtkSmartPointer<vtkCallbackCommand>::New();  // what goes wrong is told by us
+    writer->AddObserver(vtkCommand::ErrorEvent, silence);
     writer->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, silence);
     if (writer->Write() != 1 || writer->GetErrorCode() != 0)
       throw RunError(

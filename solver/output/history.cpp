@@ -12,10 +12,18 @@
 namespace tektite {
 namespace {
 
+InputError no_history(const std::string& path, const std::string& reason) {
+  return InputError({{path, 0},
+                     {},
+                     {},
+                     reason,
+                     "the history of this run, whole; or `tektite run SCENE.toml -o DIR --replace`, from the start"});
+}
+
 /// The history's lines up to a step, the header included.
 std::string kept_lines(const std::string& path, std::int64_t last_step, std::int64_t interval) {
   std::ifstream old(path);
-  if (!old) throw InputError({{path, 0}, {}, {}, "the history of the run that is to be resumed cannot be opened", {}});
+  if (!old) throw no_history(path, "there is none that can be read, and the run cannot be resumed without");
   std::string line, kept;
   std::int64_t reached = -1;
   for (bool header = true; std::getline(old, line); header = false) {
@@ -25,12 +33,10 @@ std::string kept_lines(const std::string& path, std::int64_t last_step, std::int
     reached = std::max(reached, step);
     kept += line + '\n';
   }
+  if (reached < 0) throw no_history(path, "holds no step");
   if (reached < last_step - last_step % interval)
-    throw InputError({{path, 0},
-                      {},
-                      {},
-                      fmt::format("the history ends at step {}, before the snapshot of step {}", reached, last_step),
-                      "the history of this run, whole"});
+    throw no_history(path,
+                     fmt::format("the history ends at step {}, before the snapshot of step {}", reached, last_step));
   return kept;
 }
 

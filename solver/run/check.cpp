@@ -45,8 +45,7 @@ void check(const CheckOptions& options) {
       fmt::print("{}\n", line);
     print(forecast_of(simulation, met, options.advice ? calibration_seconds : 0.0), simulation);
   } catch (const RunError& fault) {
-    const auto reason = fmt::format("the first steps fail: {}", on_one_line(fault.what()));
-    failure = InputError({{options.particles, 0}, {}, {}, reason, {}});
+    failure = document.placed(InputError(fmt::format("the first steps fail: {}", on_one_line(fault.what()))));
   }
   if (failure) throw *failure;
   if (!options.advice) return;

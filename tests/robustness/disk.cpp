@@ -168,8 +168,7 @@ TEST_CASE("Disk: a folder in place of the log, and a history that is gone, are e
   fs::remove(small.folder("run/history.csv"));
   const auto resumed = small.program(small.resuming("run"));
   CHECK(resumed.code == 2);
-  CHECK_THAT(resumed.faults, StartsWith("tektite-solve: error: run/history.csv: the history of the run that is to be "
-                                        "resumed cannot be opened"));
+  CHECK_THAT(resumed.faults, StartsWith("tektite-solve: error: run/history.csv: there is none that can be read"));
 }
 
 TEST_CASE("Disk: a folder that cannot be made or written to is an error before anything is computed") {
@@ -197,6 +196,12 @@ TEST_CASE("Disk: files in place of the folders of a run are errors of the stage 
   const auto measured = small.program({stage_program("postprocess"), "unbroken", "--no-pictures"});
   CHECK(measured.code == 1);
   CHECK_THAT(measured.faults, Contains("unbroken/vtu"));
+  fs::remove(small.folder("unbroken/vtu"));
+  fs::create_directories(small.folder("unbroken/vtu/000000.vtu.part"));
+  const auto one_file = small.program({stage_program("postprocess"), "unbroken", "--no-pictures"});
+  CHECK(one_file.code == 1);
+  CHECK_THAT(one_file.faults, StartsWith("tektite-postprocess: error: unbroken/vtu/000000.vtu: cannot be written: "));
+  CHECK(std::count(one_file.faults.begin(), one_file.faults.end(), '\n') == 1);
   const auto elsewhere = small.program({stage_program("postprocess"), "unbroken", "--no-pictures", "-o", "/proc/none"});
   CHECK(elsewhere.code == 1);
   CHECK_THAT(elsewhere.faults, Contains("/proc/none"));

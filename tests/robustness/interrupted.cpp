@@ -243,10 +243,18 @@ TEST_CASE("Killed: a history that does not reach the snapshot is told, and not g
   small.unbroken();
   const auto path = small.folder("unbroken/history.csv");
   const auto history = content_of(path);
+  const auto refused = [&](const std::string& reason) {
+    const auto outcome = small.program(small.resuming("unbroken"));
+    CHECK(outcome.code == 2);
+    CHECK_THAT(outcome.faults, Contains("history.csv: " + reason));
+    CHECK_THAT(outcome.faults, Contains("(allowed: the history of this run, whole; or `tektite run"));
+  };
   std::ofstream(path, std::ios::binary) << history.substr(0, history.size() / 2);
-  const auto outcome = small.program(small.resuming("unbroken"));
-  CHECK(outcome.code == 2);
-  CHECK_THAT(outcome.faults, Contains("history.csv: the history ends at step"));
+  refused("the history ends at step");
+  std::ofstream(path, std::ios::binary) << "step,time\n";
+  refused("holds no step");
+  fs::remove(path);
+  refused("there is none that can be read");
 }
 
 /// The settings of a run that a condition stops long before its end.
