@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "postprocess/render/axis.hpp"
+#include "postprocess/render/places_apart.hpp"
 #include "postprocess/render/text.hpp"
 #include "postprocess/shown_unit.hpp"
 
@@ -26,8 +27,25 @@ double round_length(double most) {
   return power;
 }
 
-/// One line with ticks across its ends; black on a white rim, to be seen on every colour.
-void add_dimension_line(Canvas& canvas, double height, Pixel from, Pixel to, double shift, const std::string& label) {
+/// The words of a line, as high as a line of text.
+struct Label {
+  std::string words;
+  PictureBox box;
+};
+
+/// To the left of an upright line's upper quarter, where the lines across it leave room; else at the right end.
+Label label_of(const std::string& words, double height, const Pixel& from, const Pixel& to) {
+  const bool upright = std::abs(to.y - from.y) > std::abs(to.x - from.x);
+  const double gap = 0.01 * height, length = width_of(words, words_size * height);
+  const auto& right_end = to.x > from.x ? to : from;
+  const double left = upright ? 0.5 * (from.x + to.x) - gap - length : right_end.x + gap;
+  const double middle = upright ? std::min(from.y, to.y) + 0.75 * std::abs(to.y - from.y) : right_end.y;
+  const double half = 0.7 * words_size * height;
+  return {words, {left, middle - half, left + length, middle + half}};
+}
+
+/// One line with ticks across its ends, `shift` aside; black on a white rim, to be seen on every colour. Its label.
+Label add_dimension_line(Canvas& canvas, double height, Pixel from, Pixel to, double shift, const std::string& words) {
   const double length = std::max(1e-9, std::hypot(to.x - from.x, to.y - from.y));
   Pixel across{-(to.y - from.y) / length, (to.x - from.x) / length};
   if (across.y > 0.0 || (across.y == 0.0 && across.x < 0.0)) across = {-across.x, -across.y};
@@ -43,17 +61,16 @@ void add_dimension_line(Canvas& canvas, double height, Pixel from, Pixel to, dou
   const std::vector<std::pair<Pixel, Pixel>> lines{{from, to}, tick_at(from), tick_at(to)};
   canvas.lines(lines, 4.5, white);
   canvas.lines(lines, 2.0, black);
-  const bool upright = std::abs(to.y - from.y) > std::abs(to.x - from.x);
-  const double gap = 0.01 * height;
-  // To the left of an upright line's upper quarter, where the lines across it leave room; else at the right end.
-  const auto& right = to.x > from.x ? to : from;
-  const double upper_quarter = std::min(from.y, to.y) + 0.75 * std::abs(to.y - from.y);
-  const Pixel anchor = upright ? Pixel{0.5 * (from.x + to.x) - gap, upper_quarter} : Pixel{right.x + gap, right.y};
-  write(canvas, label, anchor,
-        {.size = words_size * height,
-         .across = upright ? Across::right : Across::left,
-         .upwards = Upwards::centre,
-         .background = 0.8});
+  return label_of(words, height, from, to);
+}
+
+void write_apart(Canvas& canvas, const std::vector<Label>& labels, double height) {
+  std::vector<PictureBox> boxes;
+  for (const auto& label : labels) boxes.push_back(label.box);
+  boxes = places_apart(std::move(boxes));
+  for (std::size_t k = 0; k < labels.size(); ++k)
+    write(canvas, labels[k].words, {boxes[k].left, 0.5 * (boxes[k].lower + boxes[k].upper)},
+          {.size = words_size * height, .upwards = Upwards::centre, .background = 0.8});
 }
 
 }  // namespace
@@ -125,6 +142,7 @@ void add_dimension_lines(Canvas& canvas, const Camera& camera, const Frame& scen
                          const std::vector<DimensionLine>& lines) {
   const double height = scene.height();
   std::vector<Segment> placed;
+  std::vector<Label> labels;
   for (const auto& line : lines) {
     const auto direction = line.segment.to - line.segment.from;
     const auto parallel = [&](const Segment& other) {
@@ -133,9 +151,10 @@ void add_dimension_lines(Canvas& canvas, const Camera& camera, const Frame& scen
     };
     const auto before = std::count_if(placed.begin(), placed.end(), parallel);
     placed.push_back(line.segment);
-    add_dimension_line(canvas, height, camera(line.segment.from), camera(line.segment.to),
-                       0.05 * height * static_cast<double>(before), line.label);
+    labels.push_back(add_dimension_line(canvas, height, camera(line.segment.from), camera(line.segment.to),
+                                        0.05 * height * static_cast<double>(before), line.label));
   }
+  write_apart(canvas, labels, height);
 }
 
 }  // namespace tektite

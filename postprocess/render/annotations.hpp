@@ -25,7 +25,8 @@ struct DimensionLine {
   Segment segment;
   std::string label;
 };
-/// Lines with end ticks and labels; those that run along each other are set apart sideways.
+/// Lines with end ticks and labels; those that run along each other are set apart sideways, and no label covers
+/// another.
 void add_dimension_lines(Canvas& canvas, const Camera& camera, const Frame& scene,
                          const std::vector<DimensionLine>& lines);
 

@@ -9,6 +9,7 @@
 #include "postprocess/render/axis.hpp"
 #include "postprocess/render/line_chart.hpp"
 #include "postprocess/render/paint_particles.hpp"
+#include "postprocess/render/places_apart.hpp"
 #include "postprocess/render/text.hpp"
 #include "support/temporary_folder.hpp"
 #include "unit/postprocess/colours.hpp"
@@ -143,3 +144,18 @@ TEST_CASE("Line chart: numbers that are not finite are left out") {
 }
 
 }  // namespace tektite::test
+
+TEST_CASE("Labels of measures: none covers another, and those that cover none stay") {
+  const std::vector<tektite::PictureBox> boxes{
+      {0, 0, 10, 2}, {20, 0, 30, 2}, {5, 1, 25, 3}, {5, 1, 8, 3}, {0, 2, 10, 4}};
+  const auto places = tektite::places_apart(boxes);
+  const auto is = [&](std::size_t k, const tektite::PictureBox& box) {
+    const auto& place = places.at(k);
+    return place.left == box.left && place.lower == box.lower && place.right == box.right && place.upper == box.upper;
+  };
+  CHECK(is(0, boxes[0]));
+  CHECK(is(1, boxes[1]));
+  CHECK(is(2, {5, -2, 25, 0}));  // below the first two
+  CHECK(is(3, {5, -4, 8, -2}));  // below the first, and then below the third
+  CHECK(is(4, boxes[4]));        // on top of the first
+}
