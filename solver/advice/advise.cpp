@@ -13,6 +13,7 @@
 #include "advice/reach.hpp"
 #include "advice/symmetry.hpp"
 #include "advice/thickness.hpp"
+#include "advice/unlike_bodies.hpp"
 #include "advice/viscosity.hpp"
 #include "advice/weak_contacts.hpp"
 #include "core/counted.hpp"
@@ -249,6 +250,7 @@ Advice advise(const Particles& particles, const RunSettings& settings, const std
   tell(locks(particles, settings), advice);
   tell(slow_contacts(particles, settings, meetings), advice);
   tell(weak_contacts(particles, settings, meetings), advice);
+  tell(unlike_bodies(particles, settings, meetings), advice);
   tell(rough_contacts(particles, settings, meetings), advice);
   tell(msph_impacts(particles, settings, meetings), advice);
   advise_on_axis(particles, settings, meetings, advice);

@@ -4,6 +4,7 @@
 #include "advice/contact.hpp"
 #include "advice/impact.hpp"
 #include "advice/msph_impacts.hpp"
+#include "advice/unlike_bodies.hpp"
 #include "advice/viscosity.hpp"
 #include "advice/weak_contacts.hpp"
 #include "support/lattice.hpp"
@@ -108,6 +109,32 @@ TEST_CASE("Advice: an impact of more pressure than its contact bears", "[advice]
   CHECK(lines(1000.0, "", water).empty());
   REQUIRE(lines(1000.0, usual, gas).size() == 1);
   CHECK_THAT(lines(1000.0, usual, gas).front(), Contains("run through each other"));
+}
+
+TEST_CASE("Advice: kernel sums that join a light body to one too stiff for the step", "[advice]") {
+  using Catch::Matchers::Contains;
+  const auto lines = [](const std::string& scheme, const std::string& left) {
+    const auto settings = settings_of(
+        "space = 'line'\n" + scheme +
+        "[material.steel]\ndensity = 7850.0\neos = { model = 'linear', bulk_modulus = '160 GPa' }\n"
+        "strength = { model = 'elastic', shear_modulus = '80 GPa' }\n[material.left]\n" +
+        left + "\n[body.left]\nmaterial = 'left'\n[body.right]\nmaterial = 'steel'\n" + "[time]\nend = '10 us'\n");
+    const auto particles = test::particles_on(
+        Space::line, {{"left", "left", 1e-3, {-40e-3}, {40}, {50.0}}, {"right", "steel", 1e-3, {3e-3}, {40}, {0.0}}},
+        1000.0);
+    return unlike_bodies(particles, settings, meetings(particles, settings.materials));
+  };
+  const std::string foam = "density = 100.0\neos = { model = 'linear', bulk_modulus = '0.2 GPa' }",
+                    resin = "density = 1200.0\neos = { model = 'linear', bulk_modulus = '6 GPa' }",
+                    gas = "density = 1.2\neos = { model = 'ideal-gas', heat_ratio = 1.4 }";
+  // √(7850/100) = 8.9 times the wave speed of steel, with C = 0.25.
+  REQUIRE(lines("", foam).size() == 1);
+  CHECK_THAT(lines("", foam).front(), Contains("2.2 times") && Contains("scheme.courant = 0.11"));
+  CHECK(lines("scheme.courant = 0.11\n", foam).empty());
+  CHECK(lines("contact.begins = 'at-faces'\n", foam).empty());
+  CHECK(lines("scheme.type = 'godunov-pm'\n", foam).empty());
+  CHECK(lines("", resin).empty());
+  CHECK(lines("", gas).size() == 1);
 }
 
 TEST_CASE("Advice: elastic impacts of total-Lagrangian bodies whose zero-energy modes nothing holds", "[advice]") {
