@@ -4,17 +4,18 @@
 
 namespace tektite {
 
-/// What a step of a Godunov scheme heats, so that it conserves energy: the time-split Godunov paper, eq. 34. The pairs
-/// take back what they give to the motion. Where `contact` is given, Δv is by both; the potential between bodies gives
-/// what its force does along the way of the place, v + c Δv, and what that differs from the change of kinetic energy,
-/// along v + ½ Δv, is heat as the same difference of the pairs is: of what they hold in balance both cancel.
+/// What a step of a Godunov scheme heats, so that it conserves energy: the time-split Godunov paper, eq. 34. Where
+/// `contact` is given, Δv is by both, and the work of the force between bodies, which is not of the pairs, does not
+/// heat: its potential takes it, as in a leapfrog. Where the place moves before Δv, the potential sees nothing of the
+/// kick by the deviatoric stress that a contact holds in balance step by step: half of the work along it heats, as much
+/// as the pairs book too little.
 template <int D>
 struct GodunovHeat {
   const Vector<double, D>* acceleration;  ///< by the pairs
   const Vector<double, D>* contact;       ///< by the force between bodies; may be null
+  const Vector<double, D>* deviatoric;    ///< by the deviatoric half, where the place moves before Δv; may be null
   const double* power;                    ///< of the pair sums, W/kg
   double step;
-  double centring;  ///< c
 
   /// Δv, m/s
   Vector<double, D> change(std::size_t i) const {
@@ -23,9 +24,8 @@ struct GodunovHeat {
 
   /// W/kg
   double operator()(std::size_t i) const {
-    auto taken = 0.5 * acceleration[i];
-    if (contact) taken += (0.5 - centring) * contact[i];
-    return power[i] - dot(change(i), taken);
+    const double heat = power[i] - 0.5 * dot(change(i), acceleration[i]);
+    return deviatoric ? heat + 0.5 * step * dot(contact[i], deviatoric[i]) : heat;
   }
 };
 

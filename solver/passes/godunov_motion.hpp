@@ -88,13 +88,14 @@ struct AssembleHydrodynamic {
 template <int D>
 struct AdvanceGodunov {
   GodunovHeat<D> heat;
+  double centring;  ///< c
   Vector<double, D>* position;
   Vector<double, D>* velocity;
   double* energy;
 
   void operator()(std::size_t i) const {
     const auto change = heat.change(i);
-    position[i] += heat.step * (velocity[i] + heat.centring * change);
+    position[i] += heat.step * (velocity[i] + centring * change);
     velocity[i] += change;
     energy[i] += heat.step * heat(i);
   }

@@ -90,7 +90,7 @@ class GodunovScheme : public Scheme {
   std::size_t memory() const override {
     return neighbourhood_.memory() + (contact_ ? contact_->memory() : 0) + records_.capacity() * sizeof(Record) +
            (power_.capacity() + divergence_.capacity()) * sizeof(double) +
-           contact_acceleration_.capacity() * sizeof(Vector<double, D>);
+           (contact_acceleration_.capacity() + deviatoric_acceleration_.capacity()) * sizeof(Vector<double, D>);
   }
 
  protected:
@@ -99,6 +99,7 @@ class GodunovScheme : public Scheme {
     power_.resize(particles_.count());
     divergence_.resize(particles_.count());
     if (contact_) contact_acceleration_.resize(particles_.count());
+    if (contact_ && settings_.corrected_eulerian) deviatoric_acceleration_.resize(particles_.count());
   }
 
   void allocate_scratch() {
@@ -118,7 +119,7 @@ class GodunovScheme : public Scheme {
       if (dt > 0.0) stretch_across(run, dt);
     }
     run_through(run.range,
-                AdvanceGodunov<D>{heat(dt), p.template vectors<D>(Field::position),
+                AdvanceGodunov<D>{heat(dt), centring(), p.template vectors<D>(Field::position),
                                   p.template vectors<D>(Field::velocity), p.scalars(Field::specific_internal_energy)});
     run_through(run.range,
                 AdvanceDensity<plane_stress>{divergence_.data(), across_rate(), dt, p.scalars(Field::density)});
@@ -136,7 +137,7 @@ class GodunovScheme : public Scheme {
   const double* across_rate() const { return plane_stress ? particles_.scalars(Field::across_rate) : nullptr; }
   GodunovHeat<D> heat(double dt) const {
     return {particles_.template vectors<D>(Field::acceleration), contact_ ? contact_acceleration_.data() : nullptr,
-            power_.data(), dt, centring()};
+            deviatoric_acceleration_.empty() ? nullptr : deviatoric_acceleration_.data(), power_.data(), dt};
   }
   const double* thickness() const { return plane_stress ? particles_.scalars(Field::thickness) : nullptr; }
 
@@ -190,9 +191,10 @@ class GodunovScheme : public Scheme {
   Neighbourhood<D> neighbourhood_;
   std::optional<KernelContact<D, Kernel>> contact_;
   std::vector<Record> records_;
-  std::vector<double> power_;                            ///< W/kg
-  std::vector<double> divergence_;                       ///< of the velocities at the contacts, 1/s
-  std::vector<Vector<double, D>> contact_acceleration_;  ///< by the force between bodies; empty without [contact]
+  std::vector<double> power_;                               ///< W/kg
+  std::vector<double> divergence_;                          ///< of the velocities at the contacts, 1/s
+  std::vector<Vector<double, D>> contact_acceleration_;     ///< by the force between bodies; empty without [contact]
+  std::vector<Vector<double, D>> deviatoric_acceleration_;  ///< of this step, where contacts heat by it; else empty
 };
 
 }  // namespace tektite

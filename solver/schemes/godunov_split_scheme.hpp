@@ -21,6 +21,7 @@ class GodunovSplitScheme final : public GodunovScheme<space, Kernel, Hydrodynami
   using Base = GodunovScheme<space, Kernel, HydrodynamicRecord<dimensions_of(space)>>;
   using Base::contact_;
   using Base::D;
+  using Base::deviatoric_acceleration_;
   using Base::divergence_;
   using Base::materials_;
   using Base::neighbourhood_;
@@ -114,6 +115,7 @@ class GodunovSplitScheme final : public GodunovScheme<space, Kernel, Hydrodynami
     const auto scope = profile_.time("kick");
     auto* const acceleration = p.template vectors<D>(Field::acceleration);
     this->hold(acceleration);
+    std::copy_n(acceleration, deviatoric_acceleration_.size(), deviatoric_acceleration_.begin());
     materials_.for_each_run([&](const Run& run) {
       run_through(run.range, KickDeviatoric<D>{acceleration, power_.data(), dt, p.template vectors<D>(Field::velocity),
                                                p.scalars(Field::specific_internal_energy)});
