@@ -67,7 +67,26 @@ struct Tensor {
     for (int k = 0; k < D * D; ++k) t.c[k] = T(0.0);
     return t;
   }
+  Tensor& operator+=(const Tensor& b) {
+    for (int k = 0; k < D * D; ++k) c[k] += b.c[k];
+    return *this;
+  }
 };
+
+template <class T, int D>
+Tensor<T, D> operator+(Tensor<T, D> a, const Tensor<T, D>& b) {
+  return a += b;
+}
+template <class T, int D>
+Tensor<T, D> operator-(Tensor<T, D> a, const Tensor<T, D>& b) {
+  for (int k = 0; k < D * D; ++k) a.c[k] -= b.c[k];
+  return a;
+}
+template <class T, int D>
+Tensor<T, D> operator*(const T& s, Tensor<T, D> a) {
+  for (auto& component : a.c) component *= s;
+  return a;
+}
 
 /// a += u ⊗ v
 template <class T, int D>

@@ -16,6 +16,14 @@ Tensor<T, D> product(const Tensor<T, D>& a, const Tensor<T, D>& b) {
   return result;
 }
 
+template <class T, int D>
+Tensor<T, D> transposed(const Tensor<T, D>& a) {
+  Tensor<T, D> result;
+  for (int i = 0; i < D; ++i)
+    for (int j = 0; j < D; ++j) result(i, j) = a(j, i);
+  return result;
+}
+
 /// a bᵀ
 template <class T, int D>
 Tensor<T, D> product_with_transposed(const Tensor<T, D>& a, const Tensor<T, D>& b) {

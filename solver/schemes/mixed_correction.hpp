@@ -74,6 +74,8 @@ class MixedCorrection {
     mirror.fill(records, count);
     return without;
   }
+  /// Whether a particle had one at the last find().
+  bool has(std::size_t i) const { return without_[i] == 0; }
 
  private:
   double least_moment_;

@@ -24,18 +24,28 @@ class ReferenceCorrection {
     });
     std::vector<std::uint8_t> counted(count);
     for_each(count, [&](std::size_t i) { counted[i] = reference[i].lagrangian != 0.0 && reference[i].volume != 0.0; });
-    without_ = MixedCorrection<Kernel, D>(least_moment).find(pairs, mirror, records, count, counted.data(), owned);
+    MixedCorrection<Kernel, D> correction(least_moment);
+    without_ = correction.find(pairs, mirror, records, count, counted.data(), owned);
     corrections_.resize(count);
-    for_each(count, [&](std::size_t i) { corrections_[i] = records[i].correction; });
+    has_.resize(count);
+    for_each(count, [&](std::size_t i) {
+      corrections_[i] = records[i].correction;
+      has_[i] = correction.has(i);
+    });
   }
 
   const Correction<double, D>* data() const { return corrections_.data(); }
+  Correction<double, D>& operator[](std::size_t i) { return corrections_[i]; }
+  std::size_t count() const { return corrections_.size(); }
+  /// Whether a particle is corrected at all.
+  bool has(std::size_t i) const { return has_[i] != 0; }
   /// How many of the own particles go without.
   std::size_t without() const { return without_; }
-  std::size_t memory() const { return corrections_.capacity() * sizeof(Correction<double, D>); }
+  std::size_t memory() const { return corrections_.capacity() * sizeof(Correction<double, D>) + has_.capacity(); }
 
  private:
   std::vector<Correction<double, D>> corrections_;
+  std::vector<std::uint8_t> has_;  ///< a byte each
   std::size_t without_ = 0;
 };
 

@@ -20,6 +20,7 @@
 #include "schemes/hold_still.hpp"
 #include "schemes/hourglass_control.hpp"
 #include "schemes/interface_forces.hpp"
+#include "schemes/kept_deformation.hpp"
 #include "schemes/lagrangian_rings.hpp"
 #include "schemes/make_scheme_in.hpp"
 #include "schemes/material_passes.hpp"
@@ -158,7 +159,7 @@ class TotalLagrangianScheme final : public Scheme {
   std::size_t memory() const override {
     return neighbours_.memory() + (contact_ ? contact_->memory() : 0) + (eulerian_ ? eulerian_->memory() : 0) +
            reference_.capacity() * sizeof(ReferenceRecord<D>) + motion_.capacity() * sizeof(MotionRecord<D>) +
-           stress_.capacity() * sizeof(StressRecord<D>) + correction_.memory() +
+           stress_.capacity() * sizeof(StressRecord<D>) + correction_.memory() + (kept_ ? kept_->memory() : 0) +
            shift_.capacity() * sizeof(ShiftRecord<D>) + strain_rates_.capacity() * sizeof(StrainRateRecord<D>) +
            deformation_.capacity() * sizeof(Tensor<double, D>) + rings_.memory() + interface_.memory() +
            (hourglass_ ? hourglass_->memory() : 0);
@@ -200,6 +201,11 @@ class TotalLagrangianScheme final : public Scheme {
       rings_.prepare(particles_, reference_);
       if (controlled) hourglass_->turn_into_rings(rings_.circumference_of_each());
     }
+    if (settings_.corrected && failed_leave()) {
+      kept_.emplace(particles_);
+      for (std::size_t i = 0; i < count; ++i)
+        if (kept_->has_left(i)) reference_[i].volume = 0.0;
+    }
     note_kernel_types();
     note_volumes();
     if (eulerian_)
@@ -219,6 +225,17 @@ class TotalLagrangianScheme final : public Scheme {
     if (settings_.corrected)
       correction_.find(neighbours_.pairs(), mirror_, reference_, particles_.count(),
                        failed_leave() ? least_moment_of_pieces<D> : least_moment_of_reference, Owned(particles_));
+    if (kept_) kept_->turn(reference_, correction_);
+  }
+
+  /// F in the middle of a step, and its rate.
+  void find_deformation() {
+    const ListedRecords<D> read{reference_.data(), motion_.data()};
+    sweep(read, [this]<bool corrected, class Records>(const Records& records) {
+      return DeformationSums<Kernel, D, corrected, Records>{{records, reference_.data(), correction_.data()},
+                                                            stress_.data()};
+    });
+    if (kept_) kept_->add_to(stress_, reference_, particles_.count());
   }
 
   /// Copies who is Eulerian into the records: an Eulerian particle has its volume, also where it had failed before and
@@ -259,7 +276,8 @@ class TotalLagrangianScheme final : public Scheme {
     if (!converter_.convert(particles_, neighbours_.pairs(), mirror_, reference_, deformation_, stress_)) return;
     search_is_left_ = distributed(particles_);
     if (search_is_left_) return;  // it builds all of this anew
-    if (note_kernel_types()) note_volumes();
+    const bool come_back = note_kernel_types();
+    if (come_back || kept_) note_volumes();  // what is kept is not of those that have turned Eulerian
     if (contact_) contact_->note_conversion();
     drop_pairs();
     eulerian_->renew();
@@ -280,11 +298,7 @@ class TotalLagrangianScheme final : public Scheme {
     }
     {
       const auto scope = profile_.time("deformation");
-      const ListedRecords<D> read{reference_.data(), motion_.data()};
-      sweep(read, [this]<bool corrected, class Records>(const Records& records) {
-        return DeformationSums<Kernel, D, corrected, Records>{{records, reference_.data(), correction_.data()},
-                                                              stress_.data()};
-      });
+      find_deformation();
       if constexpr (rings)
         rings_.stretch(neighbours_.pairs(), mirror_, reference_, motion_, stress_, p.scalars(Field::across_rate));
     }
@@ -338,14 +352,26 @@ class TotalLagrangianScheme final : public Scheme {
   void leave_failed_out() {
     if (!failed_leave()) return;
     const double* damage = particles_.scalars(Field::damage);
-    const auto leave = [&](bool& any, std::size_t i) {
-      if (!(damage[i] >= 1.0) || reference_[i].lagrangian == 0.0 || reference_[i].volume == 0.0) return;
-      reference_[i].volume = 0.0;
-      any = true;
+    const auto count = particles_.count();
+    const auto leaves = [&](std::size_t i) {
+      return damage[i] >= 1.0 && reference_[i].lagrangian != 0.0 && reference_[i].volume != 0.0;
     };
-    if (!reduce(particles_.count(), false, leave, either)) return;
-    mirror_.fill(reference_, particles_.count());
+    if (!reduce(
+            count, false, [&](bool& any, std::size_t i) { any = any || leaves(i); }, either))
+      return;
+    if (kept_) {
+      find_deformation();
+      kept_->note(neighbours_.pairs(), mirror_, reference_, stress_, count, leaves);
+    }
+    for_each(count, [&](std::size_t i) {
+      if (leaves(i)) reference_[i].volume = 0.0;
+    });
+    mirror_.fill(reference_, count);
     note_volumes();
+    if (kept_) {
+      find_deformation();
+      kept_->keep(stress_, correction_);
+    }
   }
 
   using Run = typename MaterialPasses<D, rings>::Run;
@@ -428,6 +454,7 @@ class TotalLagrangianScheme final : public Scheme {
   std::vector<MotionRecord<D>> motion_;
   std::vector<StressRecord<D>> stress_;
   ReferenceCorrection<Kernel, D> correction_;        ///< where a scene asks for it
+  std::optional<KeptDeformation<Kernel, D>> kept_;   ///< with it, where failed particles leave
   std::vector<StrainRateRecord<D>> strain_rates_;    ///< where the viscosity reads them
   std::vector<ShiftRecord<D>> shift_;                ///< where there are corrections, and in adaptle
   std::vector<Tensor<double, D>> deformation_;       ///< F of the last step, for the conversion of adaptle

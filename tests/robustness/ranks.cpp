@@ -134,6 +134,13 @@ TEST_CASE("Ranks: adaptle turns the same particles Eulerian as one process, by s
   for (const int ranks : {3, 7}) check_ranks(small, whole, ranks);
 }
 
+TEST_CASE("Ranks: what total-Lagrangian particles that fail leave behind has the bits of one process") {
+  const SmallRun small("total-lagrangian",
+                       {"material.aluminium.damage={model='johnson-cook', d1=0.05, d2=0.0, d3=0.0, d4=0.0, d5=0.0}"});
+  const auto whole = small.unbroken();
+  for (const int ranks : {3, 7}) check_ranks(small, whole, ranks);
+}
+
 TEST_CASE("Ranks: msph, ssph and steps that search in their midst give the bits of one process") {
   const auto [scheme, settings] = GENERATE(table<std::string, std::vector<std::string>>(
       {{"msph", {"time.end='1 us'"}},
