@@ -1,5 +1,6 @@
 #pragma once
-// A private X server. Debian's VTK draws off screen only through one, and a chart of a study must not depend on the user's.
+// A private X server. Debian's VTK draws off screen only through one, and a chart of a study must not depend on the
+// user's.
 
 #include <sys/types.h>
 

@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
+#include "passes/far.hpp"
 #include "passes/godunov_records.hpp"
-#include "passes/kernel_pair.hpp"
 
 namespace tektite {
 
@@ -57,11 +57,7 @@ struct ContactRates {
     return a;
   }
 
-  /// Whether no neighbour in j is within the support. Lists end with packs that hold the skin alone.
-  bool far(const Self& a, const std::uint32_t* j) const {
-    return beyond_support<Kernel>(a.x - gathered(records, j, &Record::x),
-                                  smoothing.of_pair(a.h, gathered(records, j, &Record::smoothing_length)));
-  }
+  bool far(const Self& a, const std::uint32_t* j) const { return all_far<Kernel>(a, records, j, smoothing); }
 
   void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
     const auto other = gather_records<2 * D + Record::stresses + 5>(records, j);

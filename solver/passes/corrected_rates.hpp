@@ -6,6 +6,7 @@
 
 #include "core/pack.hpp"
 #include "passes/corrected_record.hpp"
+#include "passes/far.hpp"
 #include "passes/kernel_pair.hpp"
 #include "passes/strain_rate_record.hpp"
 
@@ -90,11 +91,7 @@ struct CorrectedRates {
     return a;
   }
 
-  /// Whether no neighbour in j is within the support. Lists end with packs that hold the skin alone.
-  bool far(const Self& a, const std::uint32_t* j) const {
-    const Pack h = Pack(0.5) * (a.h + gathered(records, j, &Record::smoothing_length));
-    return beyond_support<Kernel>(a.x - gathered(records, j, &Record::x), h);
-  }
+  bool far(const Self& a, const std::uint32_t* j) const { return all_far<Kernel>(a, records, j, MeanSmoothing{}); }
 
   void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
     const auto x = a.x - gathered(records, j, &Record::x);

@@ -5,8 +5,8 @@
 #include "core/pack.hpp"
 #include "core/tensor.hpp"
 #include "passes/eulerian_record.hpp"
+#include "passes/far.hpp"
 #include "passes/gathered.hpp"
-#include "passes/kernel_pair.hpp"
 #include "passes/strain_rate_record.hpp"
 
 namespace tektite {
@@ -56,11 +56,7 @@ struct EulerianRates {
     return a;
   }
 
-  /// Whether no neighbour in j is within the support. Lists end with packs that hold the skin alone.
-  bool far(const Self& a, const std::uint32_t* j) const {
-    return beyond_support<Kernel>(a.x - gathered(records, j, &Record::x),
-                                  smoothing.of_pair(a.h, gathered(records, j, &Record::smoothing_length)));
-  }
+  bool far(const Self& a, const std::uint32_t* j) const { return all_far<Kernel>(a, records, j, smoothing); }
 
   void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
     const auto other = gather_records<2 * D + Record::stresses + 4>(records, j);

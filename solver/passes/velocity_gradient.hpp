@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
+#include "passes/far.hpp"
 #include "passes/godunov_records.hpp"
-#include "passes/kernel_pair.hpp"
 #include "passes/pair_gradients.hpp"
 
 namespace tektite {
@@ -29,11 +29,7 @@ struct VelocityGradient {
     return {broadcast(records[i].x), broadcast(records[i].v), records[i].smoothing_length, gradients.begin(i)};
   }
 
-  /// Whether no neighbour in j is within the support. Lists end with packs that hold the skin alone.
-  bool far(const Self& a, const std::uint32_t* j) const {
-    return beyond_support<Kernel>(a.x - gathered(records, j, &DeviatoricRecord<D>::x),
-                                  smoothing.of_pair(a.h, gathered(records, j, &DeviatoricRecord<D>::smoothing_length)));
-  }
+  bool far(const Self& a, const std::uint32_t* j) const { return all_far<Kernel>(a, records, j, smoothing); }
 
   void add(const Self& a, const std::uint32_t* j, Sums& sums) const {
     constexpr int stresses = DeviatoricRecord<D>::stresses;
